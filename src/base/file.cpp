@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "base/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace vitrine {
+namespace fs = std::filesystem;
+namespace {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int get() const { return fd_; }
+    /// Closes now, to see the error that a network or full disk may report only then.
+    [[nodiscard]] bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+
+  private:
+    int fd_;
+};
+
+[[noreturn]] void failWriting(const fs::path& path, int error) {
+    throw MachineError(fmt::format("cannot write '{}': {}", path.string(), std::strerror(error)));
+}
+
+/// The nearest existing ancestor resolved through links, the rest appended as written.
+fs::path canonicalPrefix(const fs::path& path) {
+    std::error_code error;
+    fs::path result = fs::weakly_canonical(path, error);
+    return error ? fs::absolute(path).lexically_normal() : result;
+}
+
+}  // namespace
+
+std::string readFile(const fs::path& path, uint64_t maxBytes) {
+    const auto fail = [&](const std::string& why) -> InputError {
+        return {SourceLocation{path.string()}, why};
+    };
+    // O_NONBLOCK: opening a pipe without a writer must not hang.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.get() < 0) throw fail(fmt::format("cannot read: {}", std::strerror(errno)));
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0) throw fail(std::strerror(errno));
+    if (!S_ISREG(status.st_mode)) throw fail("not a regular file");
+    if (static_cast<uint64_t>(status.st_size) > maxBytes)
+        throw fail(fmt::format("too large: {} bytes, at most {} are read", status.st_size, maxBytes));
+
+    std::string bytes;
+    bytes.resize(static_cast<size_t>(status.st_size));
+    size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t n = ::read(file.get(), bytes.data() + done, bytes.size() - done);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) throw fail(fmt::format("cannot read: {}", std::strerror(errno)));
+        if (n == 0) break;  // the file shrank while it was read
+        done += static_cast<size_t>(n);
+    }
+    bytes.resize(done);
+    return bytes;
+}
+
+fs::path resolveInside(const fs::path& root, std::string_view reference) {
+    if (reference.empty()) throw std::invalid_argument("the file name is empty");
+    if (reference.find('\0') != std::string_view::npos)
+        throw std::invalid_argument("the file name contains a zero byte");
+    const fs::path relative(reference);
+    if (relative.is_absolute())
+        throw std::invalid_argument("the path is absolute; write it relative to the scene's folder");
+    const fs::path base = canonicalPrefix(root.empty() ? fs::path(".") : root);
+    const fs::path target = canonicalPrefix(base / relative);
+    const fs::path inside = target.lexically_relative(base);
+    if (inside.empty() || *inside.begin() == "..")
+        throw std::invalid_argument("the path leads out of the scene's folder");
+    return (root.empty() ? relative : root / relative).lexically_normal();
+}
+
+void writeFileAtomically(const fs::path& path, std::span<const uint8_t> bytes) {
+    std::string temporary = path.string() + ".XXXXXX";
+    Descriptor file(::mkstemp(temporary.data()));
+    if (file.get() < 0) failWriting(path, errno);
+    const auto fail = [&](int error) {
+        ::unlink(temporary.c_str());
+        failWriting(path, error);
+    };
+    size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t n = ::write(file.get(), bytes.data() + done, bytes.size() - done);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) fail(errno);
+        done += static_cast<size_t>(n);
+    }
+    // mkstemp makes the file private; a picture is as readable as any other new file.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (::fchmod(file.get(), 0666 & ~mask) != 0) fail(errno);
+    if (::fsync(file.get()) != 0) fail(errno);
+    if (!file.close()) fail(errno);
+    if (::rename(temporary.c_str(), path.c_str()) != 0) fail(errno);
+}
+
+void writeFileAtomically(const fs::path& path, std::string_view text) {
+    writeFileAtomically(path, std::span(reinterpret_cast<const uint8_t*>(text.data()), text.size()));
+}
+
+void checkWritable(const fs::path& path) {
+    if (fs::is_directory(path)) failWriting(path, EISDIR);
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) failWriting(path, errno);
+}
+
+}  // namespace vitrine
