@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Metallic-roughness reflection (glTF 2.0, appendix B): GGX microfacets over Lambert.
+// Walter et al. 2007 (distribution), Heitz 2014 (Smith, height-correlated), Schlick 1994 (Fresnel).
+// Vectors are unit, in world space or in a frame where the normal is +z, as named.
+
+vec3 fresnelSchlick(vec3 f0, float cosine) {
+    float m = clamp(1.0 - cosine, 0.0, 1.0);
+    float m2 = m * m;
+    return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+float ggxDistribution(float nDotH, float alpha) {
+    float a2 = alpha * alpha;
+    float d = nDotH * nDotH * (a2 - 1.0) + 1.0;
+    return a2 / (kPi * d * d);
+}
+
+// G2 / (4 nDotL nDotV)
+float smithVisibility(float nDotL, float nDotV, float alpha) {
+    float a2 = alpha * alpha;
+    float l = nDotV * sqrt(nDotL * nDotL * (1.0 - a2) + a2);
+    float v = nDotL * sqrt(nDotV * nDotV * (1.0 - a2) + a2);
+    return 0.5 / max(l + v, 1.0e-6);
+}
+
+float smithG1(float nDotX, float alpha) {
+    float a2 = alpha * alpha;
+    return 2.0 * nDotX / (nDotX + sqrt(a2 + (1.0 - a2) * nDotX * nDotX));
+}
+
+float smithG2(float nDotL, float nDotV, float alpha) {
+    return 4.0 * nDotL * nDotV * smithVisibility(nDotL, nDotV, alpha);
+}
+
+// A microfacet normal visible from v (Heitz, Sampling the GGX Distribution of Visible Normals,
+// JCGT 2018). Frame: normal +z; u in [0, 1) squared.
+vec3 sampleVisibleNormal(vec3 v, float alpha, vec2 u) {
+    vec3 stretched = normalize(vec3(alpha * v.xy, v.z));
+    float lengthSquared = dot(stretched.xy, stretched.xy);
+    vec3 t1 = lengthSquared > 0.0 ? vec3(-stretched.y, stretched.x, 0.0) * inversesqrt(lengthSquared)
+                                  : vec3(1.0, 0.0, 0.0);
+    vec3 t2 = cross(stretched, t1);
+    float r = sqrt(u.x);
+    float phi = 2.0 * kPi * u.y;
+    float p1 = r * cos(phi);
+    float p2 = r * sin(phi);
+    float s = 0.5 * (1.0 + stretched.z);
+    p2 = (1.0 - s) * sqrt(max(0.0, 1.0 - p1 * p1)) + s * p2;
+    vec3 n = p1 * t1 + p2 * t2 + sqrt(max(0.0, 1.0 - p1 * p1 - p2 * p2)) * stretched;
+    return normalize(vec3(alpha * n.xy, max(1.0e-6, n.z)));
+}
+
+// A direction about +z with density cos / pi.
+vec3 sampleCosine(vec2 u) {
+    float r = sqrt(u.x);
+    float phi = 2.0 * kPi * u.y;
+    return vec3(r * cos(phi), r * sin(phi), sqrt(max(0.0, 1.0 - u.x)));
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Linear radiance to what a display shows. IEC 61966-2-1 for sRGB.
+
+vec3 srgbFromLinear(vec3 c) {
+    c = clamp(c, 0.0, 1.0);
+    vec3 low = 12.92 * c;
+    vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
+    return mix(high, low, vec3(lessThanEqual(c, vec3(0.0031308))));
+}
+
+// A filmic curve: Narkowicz, "ACES Filmic Tone Mapping Curve" (2015), a fit of the ACES reference
+// rendering transform. Deep blacks, a soft shoulder; the factor keeps middle grey where it was.
+vec3 toneMapFilmic(vec3 c) {
+    c *= 0.8;
+    return (c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14);
+}
+
+// Heat: black, blue, magenta, orange, white; monotone in lightness so that it survives greyscale.
+vec3 heat(float x) {
+    x = clamp(x, 0.0, 1.0);
+    return clamp(vec3(1.9 * x - 0.25, 2.4 * x - 1.3, x < 0.45 ? 1.9 * x : 1.71 - 1.9 * x + square(max(0.0, x - 0.7) * 5.2)), 0.0, 1.0);
+}
+
+// A colour for a number, far from those of its neighbours (golden-ratio hue).
+vec3 colorOfId(uint id) {
+    float hue = fract(float(id & 0xffffu) * 0.618034 + 0.12);
+    float value = 0.75 + 0.25 * fract(float(id & 0xffffu) * 0.41421);
+    vec3 rgb = clamp(abs(fract(hue + vec3(0.0, 2.0 / 3.0, 1.0 / 3.0)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+    return value * mix(vec3(1.0), rgb, 0.72);
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Scene light to display light: exposure, tone map, sRGB, extra gamma, and a dither of one step so
+// that smooth skies do not band in 8 bits. Views of data other than light pass unchanged.
+#include "scene/frame.glsl"
+#include "lib/color.glsl"
+#include "lib/random.glsl"
+
+uniform sampler2D mean;
+
+bool isLight(int view) {
+    return view == VITRINE_VIEW_COLOR || view == VITRINE_VIEW_DIRECT || view == VITRINE_VIEW_REFLECTION;
+}
+
+vec4 displayPass(ivec2 pixel) {
+    vec3 c = texelFetch(mean, pixel, 0).rgb;
+    int view = frame.image.w;
+    if (view == VITRINE_VIEW_ALBEDO) return vec4(srgbFromLinear(c), 1.0);
+    if (!isLight(view)) return vec4(c, 1.0);
+    c = max(c, 0.0) * frame.display.x;
+    if (frame.image.z == VITRINE_TONE_FILMIC) c = toneMapFilmic(c);
+    c = pow(srgbFromLinear(c), vec3(1.0 / frame.display.y));
+    // Triangular noise of one step of 8 bits, the same in every run.
+    uvec4 bits = pcg4d(uvec4(uint(pixel.x), uint(pixel.y), 77u, 0u));
+    vec2 u = unitFloats(bits.xy);
+    return vec4(c + (u.x - u.y) * (1.0 / 255.0) * step(c, vec3(254.0 / 255.0)), 1.0);
+}

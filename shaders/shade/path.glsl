@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The state of a path between passes. The camera ray is computed, later rays are stored.
+#include "scene/fetch.glsl"
+#include "lib/hit_record.glsl"
+#include "lib/random.glsl"
+
+uniform usampler2D records;
+uniform sampler2D pathOrigin;      // xyz: origin; w: radius of the cone
+uniform sampler2D pathDirection;   // xyz: unit
+uniform sampler2D pathThroughput;  // rgb
+
+struct Path {
+    Ray ray;
+    vec3 throughput;
+};
+
+// Uses of random numbers, so that no two share one.
+const int kDimensionAmbient = 16;  // and 15 more
+const int kDimensionBounce = 64;   // and one a bounce
+
+// One sample looks through the middle of the pixel; more spread by a tent filter, two pixels wide.
+vec2 pixelPosition(ivec2 pixel) {
+    vec2 offset = vec2(0.0);
+    if (frame.sampling.y > 1) {
+        vec2 u = 2.0 * r2(frame.sampling.x) - 1.0;
+        offset = sign(u) * (1.0 - sqrt(1.0 - abs(u)));
+    }
+    return vec2(pixel) + 0.5 + offset;
+}
+
+Path loadPath(ivec2 pixel) {
+    if (frame.sampling.z == 0) return Path(cameraRay(pixelPosition(pixel)), vec3(1.0));
+    vec4 origin = texelFetch(pathOrigin, pixel, 0);
+    return Path(Ray(origin.xyz, texelFetch(pathDirection, pixel, 0).xyz, origin.w),
+                texelFetch(pathThroughput, pixel, 0).rgb);
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// From a hit record to a surface. Nothing behind this point asks who found the hit.
+#include "scene/fetch.glsl"
+#include "lib/hit_record.glsl"
+#include "lib/color.glsl"
+#include "shade/surface_type.glsl"
+#include "generated/material.glsl"
+
+struct Hit {
+    Surface surface;
+    vec3 geometricNormal;  // world space, unit, towards the viewer
+    vec3 rayOrigin;        // where rays towards lights start, lifted off the surface
+    int material;
+    float radius;          // of the pixel's cone here, m
+};
+
+// A smooth-shaded mesh is shadowed by its flat triangles in steps. Starting shadow rays from the
+// curved surface that the normals suggest hides them (Hanika, Hacking the Shadow Terminator, Ray
+// Tracing Gems II, 2021). Returns the shift from p, in the space of the arguments.
+vec3 terminatorShift(vec3 p, Vertex a, Vertex b, Vertex c, vec3 weights, float side) {
+    vec3 toA = p - a.position;
+    vec3 toB = p - b.position;
+    vec3 toC = p - c.position;
+    toA = -min(0.0, side * dot(toA, a.normal)) * side * a.normal;
+    toB = -min(0.0, side * dot(toB, b.normal)) * side * b.normal;
+    toC = -min(0.0, side * dot(toC, c.normal)) * side * c.normal;
+    return weights.x * toA + weights.y * toB + weights.z * toC;
+}
+
+void loadMaterial(inout Hit hit, Instance instance) {
+    vec4 list = fetchTable(instance.materials);
+    int part = clamp(hit.surface.part, 0, int(list.y) - 1);
+    hit.material = int(fetchTable(instance.materials + part).x);
+    int i = frame.tables.y + hit.material * VITRINE_MATERIAL_TEXELS;
+    vec4 a = fetchTable(i);
+    vec4 b = fetchTable(i + 1);
+    vec4 c = fetchTable(i + 2);
+    hit.surface.baseColor = a.rgb;
+    hit.surface.metallic = a.w;
+    hit.surface.emission = b.rgb;
+    hit.surface.roughness = b.w;
+    evaluateMaterial(int(c.x), hit.surface, int(c.y));
+    hit.surface.baseColor = clamp(hit.surface.baseColor, 0.0, 1.0);
+    hit.surface.metallic = clamp(hit.surface.metallic, 0.0, 1.0);
+    hit.surface.roughness = clamp(hit.surface.roughness, 0.0, 1.0);
+    hit.surface.normal = normalize(hit.surface.normal);
+}
+
+// The record must be of a surface.
+Hit loadHit(uvec4 record, Ray ray) {
+    Instance instance = fetchInstance(int(record.x));
+    float t = recordDistance(record);
+    vec3 position = ray.origin + t * ray.direction;
+    vec3 local = transformPoint(instance.objectFromWorld, position);
+
+    Hit hit;
+    hit.radius = ray.radius + frame.cameraEye.w * t;
+    hit.surface.position = position;
+    hit.surface.localPosition = local;
+    float lift = 1.0e-5 * (maxComponent(abs(position)) + t);
+    vec3 shift = vec3(0.0);
+    if (instance.kind == VITRINE_KIND_MESH) {
+        uvec4 triangle = fetchTriangle(instance.parameters + int(record.y));
+        Vertex a = fetchVertex(int(triangle.x));
+        Vertex b = fetchVertex(int(triangle.y));
+        Vertex c = fetchVertex(int(triangle.z));
+        vec2 vw = unpackBarycentrics(record.z);
+        vec3 weights = vec3(1.0 - vw.x - vw.y, vw.x, vw.y);
+        vec3 flatNormal = cross(b.position - a.position, c.position - a.position);
+        vec3 smoothNormal = weights.x * a.normal + weights.y * b.normal + weights.z * c.normal;
+        vec3 worldFlat = normalize(transformNormal(instance.objectFromWorld, flatNormal));
+        vec3 worldSmooth = normalize(transformNormal(instance.objectFromWorld, smoothNormal));
+        float side = dot(worldFlat, ray.direction) > 0.0 ? -1.0 : 1.0;
+        hit.geometricNormal = side * worldFlat;
+        // A mesh wound against its normals still shades on the side that is seen.
+        hit.surface.normal = dot(worldSmooth, hit.geometricNormal) < 0.0 ? -worldSmooth : worldSmooth;
+        hit.surface.uv = weights.x * a.uv + weights.y * b.uv + weights.z * c.uv;
+        hit.surface.part = int(triangle.w);
+        float normalSide = dot(smoothNormal, flatNormal) < 0.0 ? -side : side;
+        shift = terminatorShift(local, a, b, c, weights, normalSide);
+        shift = transformVector(instance.worldFromObject, shift);
+    } else {
+        vec3 n = unpackNormal(record.z);
+        hit.geometricNormal = dot(n, ray.direction) > 0.0 ? -n : n;
+        hit.surface.normal = hit.geometricNormal;
+        hit.surface.uv = vec2(0.0);
+        hit.surface.part = int(record.y);
+        // More than the tolerance with which the next ray will look for the same surface.
+        float scale = length(transformVector(instance.worldFromObject, vec3(0.57735027)));
+        lift += 0.35 * hit.radius + 2.0 * instance.finest * scale;
+    }
+    float cosine = max(0.1, -dot(ray.direction, hit.geometricNormal));
+    hit.surface.footprint = 2.0 * hit.radius / cosine;
+    hit.rayOrigin = position + shift + lift * hit.geometricNormal;
+    loadMaterial(hit, instance);
+    return hit;
+}

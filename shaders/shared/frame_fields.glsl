@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The fields of the uniform block `frame`, pasted into a GLSL std140 block (scene/frame.glsl) and
+// into a C++ struct (pack/frame_block.hpp). Only 16-byte types, so that both lay it out alike.
+vec4 cameraEye;      // xyz: world space, metres; w: angle of a pixel, radians
+vec4 cameraForward;  // xyz: unit; w: unused
+vec4 cameraRight;    // xyz: half of the image plane's width at distance 1
+vec4 cameraUp;       // xyz: half of the image plane's height at distance 1
+vec4 background[3];  // rgb radiance towards zenith, horizon and nadir
+vec4 shading;        // x: time, s; y: throughput below which a path ends; z: AO amount; w: AO reach, m
+vec4 display;        // x: exposure factor; y: gamma; z: depth view's scale, m; w: unused
+ivec4 image;         // x, y: size in pixels; z: tone map; w: view
+ivec4 sampling;      // x: sample; y: samples in all; z: bounce (0: camera ray); w: seed
+ivec4 tables;        // first texel in sceneTables of x: instances; y: materials; z: lights; w: parameters
+ivec4 counts;        // x: lights; y: most marching steps; z: root slot of the scene's tree; w: 0

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Numbers that C++ and GLSL must agree upon. Read by both compilers.
+#ifndef VITRINE_LIMITS
+#define VITRINE_LIMITS
+
+// Entries of the traversal stack. pack/ proves for every scene that no ray needs more
+// (each visit of a node keeps at most three of its four children for later).
+#define VITRINE_STACK_SIZE 64
+
+// A slot of the acceleration structure is three RGBA32UI texels: a node, a triangle, or half an
+// instance (pack/bvh_layout.hpp owns the format, trace/bvh.glsl reads it).
+#define VITRINE_SLOT_TEXELS 3
+#define VITRINE_LEAF_BIT 0x80000000u
+#define VITRINE_LAST_TRIANGLE_BIT 0x80000000u
+
+// Instances: kinds of geometry, and texels of an entry of the instance table.
+#define VITRINE_KIND_MESH 0
+#define VITRINE_KIND_FIELD 1
+#define VITRINE_INSTANCE_TEXELS 9
+#define VITRINE_MATERIAL_TEXELS 3
+#define VITRINE_LIGHT_TEXELS 2
+#define VITRINE_VERTEX_TEXELS 2
+
+// Light types, in the order of LightType (scene/scene.hpp).
+#define VITRINE_LIGHT_SUN 0
+#define VITRINE_LIGHT_POINT 1
+
+// Values of the instance word of a hit record that name no instance.
+#define VITRINE_RECORD_NONE 0xffffffffu
+#define VITRINE_RECORD_MISS 0xfffffffeu
+
+// Views, in the order of the names in frame/view.cpp.
+#define VITRINE_VIEW_COLOR 0
+#define VITRINE_VIEW_ALBEDO 1
+#define VITRINE_VIEW_NORMAL 2
+#define VITRINE_VIEW_DEPTH 3
+#define VITRINE_VIEW_INSTANCE 4
+#define VITRINE_VIEW_PRIMITIVE 5
+#define VITRINE_VIEW_BARYCENTRIC 6
+#define VITRINE_VIEW_MATERIAL 7
+#define VITRINE_VIEW_DIRECT 8
+#define VITRINE_VIEW_SHADOW 9
+#define VITRINE_VIEW_REFLECTION 10
+#define VITRINE_VIEW_STEPS 11
+#define VITRINE_VIEW_NODES 12
+#define VITRINE_VIEW_LOOPS 13
+
+// Tone maps, in the order of ToneMap (scene/scene.hpp).
+#define VITRINE_TONE_NONE 0
+#define VITRINE_TONE_FILMIC 1
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Sphere tracing (Hart 1996) of one field inside its box, in object space, with the ray's own
+// parameter t: an object-space distance d allows a step of d / |direction| whatever the transform.
+//
+// The surface normal is found in the same loop (tetrahedron rule, Quilez), so that the field is
+// called from a single place: compilers inline each call, and a second one doubles their work.
+#include "scene/fetch.glsl"
+#include "generated/field.glsl"
+
+struct FieldHit {
+    bool hit;
+    float t;
+    int part;
+    vec3 normal;  // object space, unit; zero where a shadow ray asked
+};
+
+const int kMarching = 0;
+const int kProbing = 1;  // four evaluations around the hit
+const int kFinished = 2;
+
+vec3 tetrahedronCorner(int i) {
+    return vec3((i & 1) == 0 ? 1.0 : -1.0, (i & 2) == 0 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
+}
+
+// Enters and leaves the box; empty if x > y.
+vec2 boxInterval(vec3 boxMin, vec3 boxMax, vec3 origin, vec3 inverse) {
+    vec3 a = (boxMin - origin) * inverse;
+    vec3 b = (boxMax - origin) * inverse;
+    vec3 low = min(a, b);
+    vec3 high = max(a, b);
+    return vec2(max(max(low.x, low.y), max(low.z, 0.0)), min(high.x, min(high.y, high.z)));
+}
+
+// `origin` and `direction` in object space; `radius` is the pixel cone's in the world at t = 0.
+FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction, float radius,
+                    float tMax) {
+    FieldHit result = FieldHit(false, tMax, 0, vec3(0.0));
+    vec2 interval = boxInterval(instance.boxMin, instance.boxMax, origin, safeInverse(direction));
+    float tEnd = min(interval.y, tMax);
+    float t = interval.x;
+    float objectPerT = length(direction);
+    float stepPerDistance = instance.stepScale / objectPerT;
+    int state = wanted && t <= tEnd ? kMarching : kFinished;
+    bindField(instance.shape, instance.parameters);
+    int probes = 0;
+    float tolerance = 0.0;
+    vec3 gradient = vec3(0.0);
+    for (int i = 0; i < frame.counts.y; i++) {
+        if (state == kFinished) break;
+        COUNT(countedLoops);
+        COUNT(countedSteps);
+        vec3 p = origin + t * direction;
+        vec3 corner = tetrahedronCorner(probes);
+        bool probing = state == kProbing;
+        if (probing) p += corner * tolerance;
+        vec2 d = evaluateField(instance.shape, p);
+        // A field that is not a number is a miss: nothing can be said about the surface.
+        if (isnan(d.x) && !probing) state = kFinished;
+        if (probing) {
+            gradient += corner * d.x;
+            probes++;
+            if (probes == 4) state = kFinished;
+        } else {
+            // A fifth of the pixel's footprint: below what a picture shows, above what floats lose.
+            tolerance = max(instance.finest,
+                            0.2 * (radius + frame.cameraEye.w * t) * objectPerT);
+            if (d.x < tolerance) {
+                result.hit = true;
+                result.t = t;
+                result.part = int(d.y + 0.5);
+#if TRACE_ANY
+                state = kFinished;
+#else
+                state = kProbing;
+#endif
+            } else {
+                t += d.x * stepPerDistance;
+                if (t > tEnd) state = kFinished;
+            }
+        }
+    }
+    float size = length(gradient);
+    result.normal = size > 0.0 ? gradient / size : -normalize(direction);
+    return result;
+}

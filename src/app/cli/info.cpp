@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/cli/commands.hpp"
+
+namespace vitrine {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json describeMesh(const std::string& shape, const MeshAsset& asset) {
+    const BvhStatistics s = measure(asset.bvh);
+    return {{"shape", shape},
+            {"triangles", asset.mesh.triangles.size()},
+            {"vertices", asset.mesh.positions.size()},
+            {"parts", asset.mesh.partNames},
+            {"sah_cost", s.sahCost},
+            {"tree_nodes", s.nodes},
+            {"tree_depth", s.depth},
+            {"mean_leaf", s.meanLeaf},
+            {"build_seconds", asset.buildSeconds}};
+}
+
+Json describeSnippet(const Snippet& snippet) {
+    Json json{{"file", snippet.file}, {"entry", snippet.entry}, {"uses_time", snippet.usesTime}};
+    if (!snippet.partNames.empty()) json["parts"] = snippet.partNames;
+    if (snippet.bounds) {
+        const Aabb& b = *snippet.bounds;
+        json["bounds"] = {b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z};
+    }
+    if (snippet.lipschitz) json["lipschitz"] = *snippet.lipschitz;
+    json["parameters"] = Json::array();
+    for (const Parameter& p : snippet.parameters) {
+        const auto numbers = [&](const glm::vec4& v) {
+            Json list = Json::array();
+            for (int i = 0; i < componentCount(p.type); ++i) list.push_back(v[i]);
+            return list.size() == 1 ? list[0] : list;
+        };
+        json["parameters"].push_back({{"name", p.name},
+                                      {"type", glslName(p.type)},
+                                      {"minimum", numbers(p.minimum)},
+                                      {"default", numbers(p.defaultValue)},
+                                      {"maximum", numbers(p.maximum)},
+                                      {"label", p.label}});
+    }
+    return json;
+}
+
+Json describe(const LoadedScene& loaded) {
+    Json json{{"scene", loaded.scene.file},
+              {"title", loaded.scene.title},
+              {"triangles", loaded.packed.triangleCount},
+              {"instances", loaded.packed.instances.size()},
+              {"lights", loaded.scene.lights.size()},
+              {"materials", loaded.scene.materials.size()},
+              {"stack_entries", loaded.packed.stackBound},
+              {"tree_bytes", loaded.packed.slots.size() * sizeof(glm::uvec4)}};
+    for (const Camera& camera : loaded.scene.cameras) json["cameras"].push_back(camera.name);
+    json["meshes"] = Json::array();
+    json["snippets"] = Json::array();
+    std::set<const void*> seen;
+    for (size_t i = 0; i < loaded.assets.meshes.size(); ++i) {
+        if (const auto& mesh = loaded.assets.meshes[i]; mesh && seen.insert(mesh.get()).second)
+            json["meshes"].push_back(describeMesh(loaded.scene.shapes[i].name, *mesh));
+    }
+    for (const auto* list : {&loaded.assets.fields, &loaded.assets.materials})
+        for (const auto& snippet : *list)
+            if (snippet && seen.insert(snippet.get()).second)
+                json["snippets"].push_back(describeSnippet(*snippet));
+    return json;
+}
+
+void print(const Json& json) {
+    fmt::print("{}\n{} triangles, {} instances, {} lights, {} materials\n",
+               json["scene"].get<std::string>(), json["triangles"].get<size_t>(),
+               json["instances"].get<size_t>(), json["lights"].get<size_t>(),
+               json["materials"].get<size_t>());
+    for (const Json& m : json["meshes"])
+        fmt::print("mesh {}: {} triangles, tree of {} nodes, depth {}, SAH cost {:.1f}, built in {:.1f} ms\n",
+                   m["shape"].get<std::string>(), m["triangles"].get<size_t>(),
+                   m["tree_nodes"].get<size_t>(), m["tree_depth"].get<int>(),
+                   m["sah_cost"].get<double>(), 1e3 * m["build_seconds"].get<double>());
+    for (const Json& s : json["snippets"]) {
+        fmt::print("snippet {}: {}()\n", s["file"].get<std::string>(), s["entry"].get<std::string>());
+        for (const Json& p : s["parameters"])
+            fmt::print("  {} {} = {}  ({} to {})  {}\n", p["type"].get<std::string>(),
+                       p["name"].get<std::string>(), p["default"].dump(), p["minimum"].dump(),
+                       p["maximum"].dump(), p["label"].get<std::string>());
+    }
+}
+
+}  // namespace
+
+int info(const InfoOptions& options) {
+    Diagnostics diagnostics;
+    const LoadedScene loaded = loadAll(options.file, options.overrides, diagnostics);
+    diagnostics.throwIfErrors();
+    const Json json = describe(loaded);
+    if (options.json.empty())
+        print(json);
+    else
+        writeJson(options.json, json.dump(2));
+    return 0;
+}
+
+}  // namespace vitrine

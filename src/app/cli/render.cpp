@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/frames.hpp"
+#include "app/cli/progress.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "image/png.hpp"
+
+namespace vitrine {
+namespace {
+
+Backend parseBackend(const std::string& name) {
+    if (name == "fragment") return Backend::kFragment;
+    if (name == "compute") return Backend::kCompute;
+    return Backend::kAuto;
+}
+
+View parseView(const std::string& name) {
+    if (const auto view = viewByName(name)) return *view;
+    throw UsageError(fmt::format("--view: there is no view '{}'{}; there are {}", name,
+                                 didYouMean(name, viewNames()), fmt::join(viewNames(), ", ")));
+}
+
+void checkOutputName(const std::string& output) {
+    if (!endsWith(output, ".png"))
+        throw UsageError(fmt::format("-o: '{}' must end in .png", output));
+}
+
+nlohmann::ordered_json describe(const LoadedScene& loaded, Renderer& renderer,
+                                const PictureRequest& picture, int samples, double seconds,
+                                const std::string& version) {
+    const FrameStatistics s = renderer.statistics();
+    nlohmann::ordered_json json;
+    json["vitrine"] = version;
+    json["scene"] = loaded.scene.file;
+    json["resolution"] = {picture.width, picture.height};
+    json["samples"] = samples;
+    json["bounces"] = loaded.scene.render.bounces;
+    json["triangles"] = loaded.packed.triangleCount;
+    json["instances"] = loaded.packed.instances.size();
+    json["rays"] = {{"primary", s.primaryRays}, {"shadow", s.shadowRays}, {"bounce", s.bounceRays}};
+    json["nodes_visited"] = s.nodes;
+    json["field_evaluations"] = s.steps;
+    json["largest_loop_count"] = s.largestLoopCount;
+    json["seconds_by_pass"] = s.secondsByPass;
+    json["seconds_compiling"] = renderer.compileSeconds();
+    json["seconds"] = seconds;
+    json["renderer"] = renderer.gpu().renderer;
+    json["gl_vendor"] = renderer.gpu().vendor;
+    json["gl_version"] = renderer.gpu().version;
+    json["backend"] = renderer.backend() == Backend::kCompute ? "compute" : "fragment";
+    return json;
+}
+
+}  // namespace
+
+int render(const RenderOptions& options) {
+    checkOutputName(options.output);
+    PictureRequest picture;
+    std::tie(picture.width, picture.height) = parseResolution(options.resolution);
+    picture.camera = options.camera;
+    picture.samples = options.samples;
+    picture.seed = options.seed;
+    picture.view = parseView(options.view);
+    const bool several = !options.frames.empty();
+    const FrameRange range = several ? parseFrames(options.frames) : FrameRange{};
+    if (several) (void)frameFileName(options.output, range.first);
+    // Better to fail now than after an hour of rendering.
+    if (options.output != "-") checkWritable(options.output);
+    if (!options.json.empty() && options.json != "-") checkWritable(options.json);
+
+    Diagnostics diagnostics;
+    const LoadedScene loaded = loadAll(options.file, options.overrides, diagnostics);
+    diagnostics.throwIfErrors();
+    if (!diagnostics.list().empty()) fmt::print(stderr, "{}\n", diagnostics.text());
+    (void)findCamera(loaded.scene, options.camera);
+
+    const bool counters = !options.json.empty() || showsCounters(picture.view);
+    Renderer renderer(loaded, parseBackend(options.backend), counters);
+    const int samples = options.samples.value_or(loaded.scene.render.samples);
+    const int frames = (range.last - range.first) / range.step + 1;
+    Progress progress(frames * samples);
+    const auto start = std::chrono::steady_clock::now();
+    for (int frame = range.first; frame <= range.last; frame += range.step) {
+        picture.time = several ? static_cast<float>(frame) / options.fps : options.time;
+        const std::string file = several ? frameFileName(options.output, frame) : options.output;
+        const ImageRgba8 image = renderer.draw(picture, [&](int, int) { progress.step(file); });
+        writeFileAtomically(file, encodePng(image, {{"Software", "Vitrine " + options.version},
+                                                    {"Title", loaded.scene.title}}));
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (!options.json.empty())
+        writeJson(options.json, describe(loaded, renderer, picture, samples, elapsed.count(),
+                                         options.version)
+                                    .dump(2));
+    return 0;
+}
+
+void writeJson(const std::string& file, const std::string& text) {
+    if (file == "-")
+        fmt::print("{}\n", text);
+    else
+        writeFileAtomically(file, text + "\n");
+}
+
+}  // namespace vitrine

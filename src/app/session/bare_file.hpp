@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// A model or a field without a scene: a scene is written around it, in the scene format.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace vitrine {
+
+/// True if the file's name says that it is no scene but something to be shown in one.
+bool isBareFile(const std::filesystem::path& file);
+
+/// The text of a scene in the file's folder that shows it on a plinth in good light. Nothing, with
+/// diagnostics, if the file cannot be read.
+std::optional<std::string> sceneAround(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+}  // namespace vitrine

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// From a file name to something that can be drawn; what the command line, the window and the web
+// page have in common.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/frame.hpp"
+#include "gpu/context.hpp"
+#include "pack/pack_scene.hpp"
+
+namespace vitrine {
+
+/// A scene with everything it needs, read and packed. GL has not been touched.
+struct LoadedScene {
+    Scene scene;
+    Assets assets;
+    PackedScene packed;
+};
+
+/// Reads a scene file, or a bare model or field. All that is wrong goes to `diagnostics`. Throws
+/// InputError if the file itself cannot be read.
+LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                    Diagnostics& diagnostics);
+
+/// The camera of this name, or the first one for "". Throws UsageError if there is none such.
+const Camera& findCamera(const Scene& scene, const std::string& name);
+
+struct PictureRequest {
+    int width = 640, height = 400;
+    std::string camera;
+    float time = 0;
+    std::optional<int> samples, seed;
+    View view = View::kColor;
+};
+
+/// Draws pictures of one scene without a display.
+class Renderer {
+  public:
+    /// Makes the GL context. Throws MachineError if there is none, InputError if a snippet does
+    /// not compile, with the mistakes of all snippets.
+    Renderer(const LoadedScene& loaded, Backend backend, bool counters);
+
+    /// `progress` is called after each sample with the samples done and to do.
+    ImageRgba8 draw(const PictureRequest& request, const std::function<void(int, int)>& progress);
+    [[nodiscard]] FrameStatistics statistics() { return frame_->statistics(); }
+    [[nodiscard]] const GpuInfo& gpu() const { return context_->info(); }
+    [[nodiscard]] Backend backend() const { return frame_->backend(); }
+    [[nodiscard]] double compileSeconds() const { return frame_->compileSeconds(); }
+
+  private:
+    const LoadedScene& loaded_;
+    std::unique_ptr<Context> context_;
+    std::unique_ptr<Frame> frame_;
+};
+
+}  // namespace vitrine

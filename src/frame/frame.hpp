@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Draws a packed scene, sample by sample.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "frame/passes.hpp"
+#include "frame/view.hpp"
+#include "image/image.hpp"
+
+namespace vitrine {
+
+struct FrameRequest {
+    int width = 640, height = 400;
+    Camera camera;
+    float time = 0;  ///< seconds
+    int samples = 1;
+    int bounces = 2;
+    int seed = 0;
+    View view = View::kColor;
+};
+
+/// Sums over all samples drawn since begin(). Ray counts need counters.
+struct FrameStatistics {
+    uint64_t primaryRays = 0, shadowRays = 0, bounceRays = 0;
+    uint64_t nodes = 0;  ///< nodes and triangles visited
+    uint64_t steps = 0;  ///< evaluations of fields
+    uint32_t largestLoopCount = 0;  ///< loop iterations of one pixel in one pass
+    std::map<std::string, double> secondsByPass;
+};
+
+class Frame {
+  public:
+    /// `counters`: count rays, nodes and loops; needed by some views and for statistics.
+    Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters);
+
+    /// Replaces what can change without new programs: transforms, materials, parameters, lights.
+    void update(const PackedScene& scene);
+    /// Starts a picture. Throws MachineError if the GPU cannot hold its images.
+    void begin(const FrameRequest& request);
+    /// Draws one more sample. Throws InputError if a snippet does not compile.
+    void drawSample();
+    [[nodiscard]] int samplesDrawn() const { return sample_; }
+    /// The picture of the samples so far, top row first.
+    [[nodiscard]] ImageRgba8 picture();
+    [[nodiscard]] FrameStatistics statistics();
+    [[nodiscard]] Backend backend() const { return context_.programs.backend(); }
+    [[nodiscard]] double compileSeconds() const { return context_.programs.compileSeconds(); }
+
+  private:
+    void followPaths();
+    void addCounts();
+
+    PassContext context_;
+    FrameRequest request_;
+    int sample_ = 0;
+    std::array<PathImages, 2> paths_;
+    std::array<Texture, 2> radiance_, mean_;
+    Texture black_, picture_;
+    FrameStatistics statistics_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// A packed scene in the GPU's memory.
+#pragma once
+
+#include "gpu/image_pass.hpp"
+#include "pack/pack_scene.hpp"
+
+namespace vitrine {
+
+struct GpuScene {
+    TexelBuffer slots{TexelFormat::kRgba32ui};
+    TexelBuffer triangles{TexelFormat::kRgba32ui};
+    TexelBuffer vertices{TexelFormat::kRgba32f};
+    TexelBuffer tables{TexelFormat::kRgba32f};
+
+    /// Throws MachineError if the GPU cannot hold it.
+    void upload(const PackedScene& scene);
+    /// Under the names of shaders/scene/fetch.glsl.
+    [[nodiscard]] std::vector<std::pair<std::string, const TexelBuffer*>> bindings() const;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What every pass needs to run, and the bookkeeping around a run: uniforms, time, counters.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "frame/gpu_scene.hpp"
+#include "frame/programs.hpp"
+#include "gpu/timer.hpp"
+
+namespace vitrine {
+
+/// One step of every path: what was hit, and the ray that hit it. The camera's rays are not stored.
+struct PathImages {
+    Texture records, origin, direction, throughput;
+    void allocate(int width, int height);
+};
+
+class PassContext {
+  public:
+    PassContext(const GpuInfo& gpu, ProgramSet set, bool count)
+        : programs(std::move(set)), counting(count), timer_(gpu.software) {}
+
+    /// Runs the pass of this name over all pixels. The scene's buffers are always there for it.
+    void run(const std::string& pass, PassImages images);
+
+    FrameBlock block{};
+    GpuScene scene;
+    ProgramSet programs;
+    const bool counting;                ///< passes that trace keep counts
+    std::array<Texture, 2> counters;    ///< of this sample; [0] is the latest
+    PassTimer& timer() { return timer_; }
+    bool timing = false;
+
+  private:
+    PassRunner runner_;
+    UniformBlock uniforms_;
+    PassTimer timer_;
+};
+
+}  // namespace vitrine

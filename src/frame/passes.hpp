@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The passes. Each takes images and fills images, lives in pass_NAME.cpp and runs the shader
+// shaders/pass/NAME.glsl. frame.cpp strings them together.
+#pragma once
+
+#include "frame/pass_context.hpp"
+
+namespace vitrine {
+
+/// Camera rays: the first hits.
+void visibilityPass(PassContext& context, Texture& records);
+
+/// Light that leaves the hits along their paths, added to `before`.
+void lightPass(PassContext& context, const PathImages& path, const Texture& before, Texture& after);
+
+/// The next ray of every path and what it hits.
+void bouncePass(PassContext& context, const PathImages& from, PathImages& to);
+
+/// The running mean of all samples.
+void accumulatePass(PassContext& context, const Texture& radiance, const Texture& before,
+                    Texture& after);
+
+/// What the records or the counters say, as a colour.
+void viewPass(PassContext& context, const Texture& records, Texture& radiance);
+
+/// From the mean to 8 bits.
+void displayPass(PassContext& context, const Texture& mean, Texture& picture);
+
+}  // namespace vitrine

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "frame/programs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace vitrine {
+namespace {
+
+Backend chooseBackend(const GpuInfo& gpu, Backend wanted) {
+    if (wanted == Backend::kCompute && !gpu.compute)
+        throw MachineError(fmt::format("'{}' has no compute shaders; use --backend fragment", gpu.renderer));
+    if (wanted != Backend::kAuto) return wanted;
+    return gpu.compute && !gpu.software ? Backend::kCompute : Backend::kFragment;
+}
+
+/// The log with places in our own files, for whoever writes shaders here.
+std::string describeOwnError(const ShaderError& error) {
+    std::string text = error.what();
+    for (const CompileMessage& message : parseCompileLog(error.log)) {
+        const auto line = static_cast<size_t>(message.line);
+        if (line >= 1 && line <= error.places.size())
+            text += fmt::format("{}: {}\n", error.places[line - 1].text(), message.message);
+    }
+    return text;
+}
+
+}  // namespace
+
+const std::vector<PassShader>& passShaders() {
+    static const std::vector<PassShader> passes{{"visibility", true}, {"light", true},
+                                                {"bounce", true},     {"accumulate", false},
+                                                {"display", false},   {"view", false},
+                                                {"check_snippet", false}};
+    return passes;
+}
+
+ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, ShaderStage stage,
+                    Dialect dialect) {
+    ShaderKey key{pass, stage, dialect, {}};
+    const auto& passes = passShaders();
+    const auto found = std::find_if(passes.begin(), passes.end(),
+                                    [&](const PassShader& p) { return p.name == pass; });
+    const bool traces = found != passes.end() && found->traces;
+    key.defines["COUNTERS"] = traces && features.counters ? 1 : 0;
+    if (traces) {
+        key.defines["HAS_MESHES"] = features.meshes ? 1 : 0;
+        key.defines["HAS_FIELDS"] = features.fields ? 1 : 0;
+    }
+    return key;
+}
+
+ProgramSet::ProgramSet(const GpuInfo& gpu, Backend backend, GeneratedShaders shaders,
+                       ProgramFeatures features)
+    : gpu_(gpu),
+      backend_(chooseBackend(gpu, backend)),
+      shaders_(std::move(shaders)),
+      features_(features) {}
+
+const Program& ProgramSet::get(const std::string& pass) {
+    const auto known = programs_.find(pass);
+    if (known != programs_.end()) return known->second;
+    const auto start = std::chrono::steady_clock::now();
+    const Dialect dialect = gpu_.glslVersion >= 450 ? Dialect::kGl450 : Dialect::kGl410;
+    const bool compute = backend_ == Backend::kCompute;
+    const ShaderKey key = shaderKey(
+        pass, features_, compute ? ShaderStage::kCompute : ShaderStage::kFragment, dialect);
+    try {
+        Program program = compute ? Program::compute(key, shaders_.includes)
+                                  : Program::fragment(key, shaders_.includes);
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        compileSeconds_ += elapsed.count();
+        return programs_[pass] = std::move(program);
+    } catch (const ShaderError& error) {
+        explainShaderError(error, shaders_).throwIfErrors();
+        throw std::logic_error(describeOwnError(error));
+    }
+}
+
+Diagnostics explainShaderError(const ShaderError& error, const GeneratedShaders& shaders) {
+    std::vector<SnippetInProgram> snippets;
+    for (const EmittedSnippet& emitted : shaders.snippets)
+        snippets.push_back({emitted.snippet.get(), &emitted.options});
+    Diagnostics diagnostics;
+    for (const CompileMessage& message : parseCompileLog(error.log)) {
+        if (message.severity != Severity::kError) continue;
+        if (auto explained = explainMessage(message, snippets)) diagnostics.add(*explained);
+    }
+    return diagnostics;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The programs of the passes, compiled when first used. All variants there are stand in one list,
+// which a test compiles for every dialect without a GPU.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gpu/context.hpp"
+#include "gpu/program.hpp"
+#include "pack/generate.hpp"
+
+namespace vitrine {
+
+enum class Backend { kAuto, kFragment, kCompute };
+
+/// What a scene needs of its programs.
+struct ProgramFeatures {
+    bool meshes = true;
+    bool fields = true;
+    bool counters = false;
+};
+
+/// A pass's shader under the features that concern it, for any stage and dialect.
+ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, ShaderStage stage,
+                    Dialect dialect);
+/// Names of the passes' shaders, and whether a pass traces rays (and so has variants).
+struct PassShader {
+    std::string name;
+    bool traces;
+};
+const std::vector<PassShader>& passShaders();
+
+class ProgramSet {
+  public:
+    /// `backend` must be possible on this context; kAuto takes compute on a GPU that has it and
+    /// fragment elsewhere (software drivers spread fragment work better over the cores).
+    ProgramSet(const GpuInfo& gpu, Backend backend, GeneratedShaders shaders,
+               ProgramFeatures features);
+
+    /// Throws InputError, placed in the user's snippet, if a snippet does not compile, and
+    /// std::logic_error with the place if one of our own shaders does not.
+    const Program& get(const std::string& pass);
+    [[nodiscard]] Backend backend() const { return backend_; }
+    [[nodiscard]] double compileSeconds() const { return compileSeconds_; }
+
+  private:
+    const GpuInfo gpu_;
+    Backend backend_;
+    GeneratedShaders shaders_;
+    ProgramFeatures features_;
+    std::map<std::string, Program> programs_;
+    double compileSeconds_ = 0;
+};
+
+/// What a compiler said, in the terms of the user's files; empty if no snippet is to blame.
+Diagnostics explainShaderError(const ShaderError& error, const GeneratedShaders& shaders);
+
+}  // namespace vitrine

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Runs a program once for every pixel: images and buffers in, images out. The same call draws a
+// full-screen triangle or dispatches compute groups, as the program was built.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gpu/program.hpp"
+#include "gpu/texture.hpp"
+
+namespace vitrine {
+
+struct PassImages {
+    std::vector<std::pair<std::string, const Texture*>> inputs;
+    std::vector<std::pair<std::string, const TexelBuffer*>> buffers;
+    /// All of one size; that size is what is drawn.
+    std::vector<std::pair<std::string, const Texture*>> outputs;
+};
+
+class PassRunner {
+  public:
+    PassRunner();
+    ~PassRunner();
+    PassRunner(const PassRunner&) = delete;
+    PassRunner& operator=(const PassRunner&) = delete;
+
+    /// Names the program does not use are ignored: a variant may need less.
+    void run(const Program& program, const UniformBlock& block, const PassImages& images);
+
+  private:
+    void draw(const Program& program, const PassImages& images);
+    void dispatch(const Program& program, const PassImages& images);
+    unsigned framebuffer_ = 0, vertexArray_ = 0;
+};
+
+}  // namespace vitrine

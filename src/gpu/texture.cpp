@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/texture.hpp"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <cassert>
+#include <utility>
+
+#include "base/error.hpp"
+#include "gpu/context.hpp"
+
+namespace vitrine {
+namespace {
+
+struct FormatInfo {
+    GLenum internal, external, type;
+};
+
+FormatInfo formatInfo(TexelFormat format) {
+    switch (format) {
+        case TexelFormat::kRgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+        case TexelFormat::kRgba16f: return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
+        case TexelFormat::kRgba32f: return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+        case TexelFormat::kRgba32ui: return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+    }
+    return {};
+}
+
+template <class T>
+std::vector<T> read(const Texture& texture, GLenum external, GLenum type) {
+    std::vector<T> data(static_cast<size_t>(texture.width()) * texture.height() * 4);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, external, type, data.data());
+    checkGl("reading an image back");
+    return data;
+}
+
+}  // namespace
+
+Texture::Texture(int width, int height, TexelFormat format)
+    : width_(width), height_(height), format_(format) {
+    const FormatInfo info = formatInfo(format);
+    glGenTextures(1, &id_);
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(info.internal), width, height, 0,
+                 info.external, info.type, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    checkGl("allocating an image");
+}
+
+Texture::~Texture() { release(); }
+
+Texture::Texture(Texture&& other) noexcept { *this = std::move(other); }
+
+Texture& Texture::operator=(Texture&& other) noexcept {
+    if (this != &other) {
+        release();
+        id_ = std::exchange(other.id_, 0);
+        width_ = other.width_;
+        height_ = other.height_;
+        format_ = other.format_;
+    }
+    return *this;
+}
+
+void Texture::release() {
+    if (id_ != 0) glDeleteTextures(1, &id_);
+    id_ = 0;
+}
+
+std::vector<uint8_t> Texture::readBytes() const {
+    assert(format_ == TexelFormat::kRgba8);
+    return read<uint8_t>(*this, GL_RGBA, GL_UNSIGNED_BYTE);
+}
+
+std::vector<float> Texture::readFloats() const {
+    assert(format_ == TexelFormat::kRgba32f || format_ == TexelFormat::kRgba16f);
+    return read<float>(*this, GL_RGBA, GL_FLOAT);
+}
+
+std::vector<uint32_t> Texture::readUints() const {
+    assert(format_ == TexelFormat::kRgba32ui);
+    return read<uint32_t>(*this, GL_RGBA_INTEGER, GL_UNSIGNED_INT);
+}
+
+void Texture::clear() {
+    unsigned framebuffer = 0;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, id_, 0);
+    const float zero[4] = {};
+    const uint32_t zeroUint[4] = {};
+    if (format_ == TexelFormat::kRgba32ui)
+        glClearBufferuiv(GL_COLOR, 0, zeroUint);
+    else
+        glClearBufferfv(GL_COLOR, 0, zero);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &framebuffer);
+}
+
+TexelBuffer::TexelBuffer(TexelFormat format) : format_(format) {
+    glGenBuffers(1, &buffer_);
+    glGenTextures(1, &texture_);
+}
+
+TexelBuffer::~TexelBuffer() { release(); }
+
+TexelBuffer::TexelBuffer(TexelBuffer&& other) noexcept { *this = std::move(other); }
+
+TexelBuffer& TexelBuffer::operator=(TexelBuffer&& other) noexcept {
+    if (this != &other) {
+        release();
+        texture_ = std::exchange(other.texture_, 0);
+        buffer_ = std::exchange(other.buffer_, 0);
+        format_ = other.format_;
+    }
+    return *this;
+}
+
+void TexelBuffer::release() {
+    if (texture_ != 0) glDeleteTextures(1, &texture_);
+    if (buffer_ != 0) glDeleteBuffers(1, &buffer_);
+    texture_ = buffer_ = 0;
+}
+
+void TexelBuffer::upload(std::span<const std::byte> bytes) {
+    static constexpr std::byte kOneTexel[16] = {};
+    if (bytes.empty()) bytes = kOneTexel;  // a buffer texture of size 0 is incomplete
+    assert(bytes.size() % 16 == 0);
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    if (bytes.size() / 16 > static_cast<size_t>(limit))
+        throw MachineError(fmt::format(
+            "the scene needs a buffer of {} texels; this driver allows {}", bytes.size() / 16, limit));
+    glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                 GL_STATIC_DRAW);
+    checkGl("uploading the scene");
+    glBindTexture(GL_TEXTURE_BUFFER, texture_);
+    glTexBuffer(GL_TEXTURE_BUFFER, formatInfo(format_).internal, buffer_);
+    checkGl("uploading the scene");
+}
+
+UniformBlock::UniformBlock() { glGenBuffers(1, &id_); }
+
+UniformBlock::~UniformBlock() { glDeleteBuffers(1, &id_); }
+
+void UniformBlock::upload(std::span<const std::byte> bytes) {
+    glBindBuffer(GL_UNIFORM_BUFFER, id_);
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                 GL_DYNAMIC_DRAW);
+}
+
+}  // namespace vitrine

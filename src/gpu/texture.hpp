@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// 2-D images that passes read and write, and buffers that shaders read texel by texel.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vitrine {
+
+enum class TexelFormat { kRgba8, kRgba16f, kRgba32f, kRgba32ui };
+
+/// An immutable-size 2-D image, nearest filtering, no mipmaps. Row 0 is the bottom of the picture.
+class Texture {
+  public:
+    Texture() = default;
+    Texture(int width, int height, TexelFormat format);
+    ~Texture();
+    Texture(Texture&& other) noexcept;
+    Texture& operator=(Texture&& other) noexcept;
+
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] TexelFormat format() const { return format_; }
+    [[nodiscard]] unsigned id() const { return id_; }
+    [[nodiscard]] bool valid() const { return id_ != 0; }
+
+    /// Four values a texel, bottom row first. The type must fit the format.
+    [[nodiscard]] std::vector<uint8_t> readBytes() const;
+    [[nodiscard]] std::vector<float> readFloats() const;
+    [[nodiscard]] std::vector<uint32_t> readUints() const;
+    void clear();
+
+  private:
+    void release();
+    unsigned id_ = 0;
+    int width_ = 0, height_ = 0;
+    TexelFormat format_ = TexelFormat::kRgba8;
+};
+
+/// A read-only array of RGBA32F or RGBA32UI texels (`samplerBuffer`, `usamplerBuffer`).
+class TexelBuffer {
+  public:
+    TexelBuffer() = default;
+    explicit TexelBuffer(TexelFormat format);
+    ~TexelBuffer();
+    TexelBuffer(TexelBuffer&& other) noexcept;
+    TexelBuffer& operator=(TexelBuffer&& other) noexcept;
+
+    /// Replaces the content; `bytes` is a whole number of 16-byte texels. Throws MachineError if
+    /// it is more than the driver can address.
+    void upload(std::span<const std::byte> bytes);
+    [[nodiscard]] unsigned id() const { return texture_; }
+
+  private:
+    void release();
+    unsigned texture_ = 0, buffer_ = 0;
+    TexelFormat format_ = TexelFormat::kRgba32f;
+};
+
+/// A std140 uniform block that is rewritten as a whole.
+class UniformBlock {
+  public:
+    UniformBlock();
+    ~UniformBlock();
+    UniformBlock(const UniformBlock&) = delete;
+    UniformBlock& operator=(const UniformBlock&) = delete;
+    void upload(std::span<const std::byte> bytes);
+    [[nodiscard]] unsigned id() const { return id_; }
+
+  private:
+    unsigned id_ = 0;
+};
+
+}  // namespace vitrine

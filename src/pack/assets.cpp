@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "pack/assets.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <map>
+#include <stdexcept>
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "bvh/build.hpp"
+#include "mesh/obj.hpp"
+#include "mesh/primitives.hpp"
+
+namespace vitrine {
+namespace {
+
+constexpr uint64_t kMaxSnippetBytes = 64u << 10;
+
+/// Reads the files of one scene, each once.
+class AssetReader {
+  public:
+    AssetReader(const Scene& scene, Diagnostics& diagnostics)
+        : scene_(scene), diagnostics_(diagnostics) {}
+
+    std::shared_ptr<const MeshAsset> mesh(const Shape& shape) {
+        std::optional<Mesh> mesh;
+        if (!shape.mesh.empty()) {
+            const auto known = meshes_.find(shape.mesh.name);
+            if (known != meshes_.end()) return known->second;
+            if (!endsWith(shape.mesh.name, ".obj"))
+                diagnostics_.error(shape.mesh.where, "a mesh is an .obj file");
+            else if (const auto text = read(shape.mesh, kMaxObjBytes))
+                mesh = readObj(*text, path_, diagnostics_);
+        } else if (shape.box) {
+            mesh = makeBox(shape.box->size * 0.5f);
+        } else if (shape.sphere) {
+            mesh = makeSphere(shape.sphere->radius);
+        } else if (shape.plane) {
+            mesh = makePlane(shape.plane->size.x * 0.5f, shape.plane->size.z * 0.5f);
+        } else if (shape.torus) {
+            mesh = makeTorus(shape.torus->radius, shape.torus->tube);
+        } else if (shape.cylinder) {
+            mesh = makeCylinder(shape.cylinder->radius, shape.cylinder->height * 0.5f);
+        }
+        std::shared_ptr<const MeshAsset> asset;
+        if (mesh) asset = build(std::move(*mesh));
+        if (!shape.mesh.empty()) meshes_[shape.mesh.name] = asset;
+        return asset;
+    }
+
+    std::shared_ptr<const Snippet> snippet(const Reference& file, SnippetKind kind,
+                                           std::string_view suffix) {
+        if (file.empty()) return nullptr;
+        const auto known = snippets_.find(file.name);
+        if (known != snippets_.end()) return known->second;
+        std::shared_ptr<const Snippet> asset;
+        if (!endsWith(file.name, suffix)) {
+            diagnostics_.error(file.where, fmt::format("the file's name must end in {}", suffix));
+        } else if (const auto text = read(file, kMaxSnippetBytes)) {
+            if (auto snippet = parseSnippet(*text, path_, kind, diagnostics_))
+                asset = std::make_shared<Snippet>(std::move(*snippet));
+        }
+        return snippets_[file.name] = asset;
+    }
+
+  private:
+    /// The content; `path_` is then where it came from.
+    std::optional<std::string> read(const Reference& file, uint64_t limit) {
+        try {
+            const std::filesystem::path path = resolveInside(scene_.folder, file.name);
+            path_ = path.string();
+            return readFile(path, limit);
+        } catch (const std::invalid_argument& e) {
+            diagnostics_.error(file.where, fmt::format("'{}': {}", file.name, e.what()));
+        } catch (const InputError& e) {
+            // The place that can be mended is where the scene names the file.
+            for (const Diagnostic& d : e.diagnostics().list())
+                diagnostics_.error(file.where, fmt::format("'{}': {}", file.name, d.message));
+        }
+        return {};
+    }
+
+    static std::shared_ptr<const MeshAsset> build(Mesh mesh) {
+        auto asset = std::make_shared<MeshAsset>();
+        asset->mesh = std::move(mesh);
+        const auto start = std::chrono::steady_clock::now();
+        asset->bvh = buildTriangleBvh(asset->mesh.positions, asset->mesh.triangles);
+        asset->buildSeconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return asset;
+    }
+
+    const Scene& scene_;
+    Diagnostics& diagnostics_;
+    std::string path_;
+    std::map<std::string, std::shared_ptr<const MeshAsset>> meshes_;
+    std::map<std::string, std::shared_ptr<const Snippet>> snippets_;
+};
+
+}  // namespace
+
+Assets loadAssets(const Scene& scene, Diagnostics& diagnostics) {
+    Assets assets;
+    AssetReader reader(scene, diagnostics);
+    for (const Shape& shape : scene.shapes) {
+        assets.meshes.push_back(shape.sdf.empty() ? reader.mesh(shape) : nullptr);
+        auto field = reader.snippet(shape.sdf, SnippetKind::kField, ".sdf.glsl");
+        if (field != nullptr && !field->bounds) {
+            diagnostics.error({field->file},
+                              "the field needs its bounds: add a line such as "
+                              "`// bounds[-1, -1, -1,  1, 1, 1]`");
+            field = nullptr;
+        }
+        assets.fields.push_back(std::move(field));
+    }
+    for (const Material& material : scene.materials)
+        assets.materials.push_back(
+            reader.snippet(material.snippet, SnippetKind::kMaterial, ".mat.glsl"));
+    return assets;
+}
+
+}  // namespace vitrine

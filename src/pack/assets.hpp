@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What a scene refers to, read from disk and ready to be packed: meshes with their trees, and
+// snippets. Kept apart from the scene so that a reload reads only what has changed.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bvh/bvh.hpp"
+#include "mesh/mesh.hpp"
+#include "scene/scene.hpp"
+#include "sdf/snippet.hpp"
+
+namespace vitrine {
+
+struct MeshAsset {
+    Mesh mesh;
+    Bvh bvh;
+    double buildSeconds = 0;
+};
+
+/// One entry a shape or material of the scene, in its order; null where there is none or where
+/// reading failed, with a diagnostic.
+struct Assets {
+    std::vector<std::shared_ptr<const MeshAsset>> meshes;
+    std::vector<std::shared_ptr<const Snippet>> fields;
+    std::vector<std::shared_ptr<const Snippet>> materials;
+};
+
+/// Reads everything the scene names. Files must lie in the scene's folder or below.
+Assets loadAssets(const Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace vitrine

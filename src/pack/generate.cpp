@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "pack/generate.hpp"
+
+#include <fmt/format.h>
+
+namespace vitrine {
+namespace {
+
+/// Iterations that the loops of a snippet may take together in one call.
+constexpr int kLoopBudget = 1024;
+
+constexpr const char* kGuard =
+    "int snippetLoops = 0;\n"
+    "bool snippetLoop() {{\n"
+    "    COUNT(countedLoops);\n"
+    "    snippetLoops++;\n"
+    "    return snippetLoops <= {};\n"
+    "}}\n";
+
+std::string globalName(const std::string& prefix, int index) {
+    return fmt::format("{}value{}", prefix, index);
+}
+
+/// Globals that hold the parameters while a snippet runs, and the function that fills them. They
+/// are read once an instance, not once a call: reading is dear inside a marching loop.
+std::string bindFunction(const Snippet& snippet, const std::string& values, const std::string& name) {
+    std::string globals, body;
+    for (size_t i = 0; i < snippet.parameters.size(); ++i) {
+        const ParameterType type = snippet.parameters[i].type;
+        const std::string global = globalName(values, static_cast<int>(i));
+        globals += fmt::format("{} {};\n", glslName(type), global);
+        const std::string fetch = fmt::format("fetchParameter(base, {})", i);
+        static constexpr const char* kSwizzles[] = {"", ".x", ".xy", ".xyz", ""};
+        std::string value = fetch + kSwizzles[componentCount(type)];
+        if (type == ParameterType::kInt) value = fmt::format("int({})", value);
+        if (type == ParameterType::kBool) value = fmt::format("{} > 0.5", value);
+        body += fmt::format("    {} = {};\n", global, value);
+    }
+    return globals + fmt::format("void {}(int base) {{\n{}}}\n", name, body);
+}
+
+/// Emits one snippet with its parameters; remembers it for messages.
+std::string emit(const std::shared_ptr<const Snippet>& snippet, const std::string& tag,
+                 GeneratedShaders& out) {
+    EmitOptions options;
+    options.prefix = tag + "_";
+    options.lineBase = lineBaseOf(static_cast<int>(out.snippets.size()));
+    options.parameter = [values = tag + "v"](const Parameter&, int index) {
+        return globalName(values, index);
+    };
+    options.builtins["time"] = "frame.shading.x";
+    options.loopGuard = "snippetLoop()";
+    std::string text = bindFunction(*snippet, tag + "v", tag + "bind");
+    text += emitSnippet(*snippet, options);
+    out.snippets.push_back({snippet, std::move(options)});
+    return text;
+}
+
+}  // namespace
+
+GeneratedShaders generateShaders(const std::vector<std::shared_ptr<const Snippet>>& fields,
+                                 const std::vector<std::shared_ptr<const Snippet>>& materials) {
+    GeneratedShaders out;
+    const std::string guard = fmt::format(kGuard, kLoopBudget);
+
+    std::string text = "#ifndef SNIPPET_GUARD\n#define SNIPPET_GUARD\n" + guard + "#endif\n";
+    std::string bind, call;
+    for (size_t i = 0; i < fields.size(); ++i) {
+        const std::string tag = fmt::format("f{}", i);
+        text += emit(fields[i], tag, out);
+        const std::string entry = emittedName(tag + "_", fields[i]->entry);
+        const std::string value = fields[i]->entryReturnsPart ? entry + "(p)"
+                                                              : fmt::format("vec2({}(p), 0.0)", entry);
+        bind += fmt::format("    if (shape == {}) {}bind(base);\n", i, tag);
+        call += fmt::format("    if (shape == {}) return {};\n", i, value);
+    }
+    text += "void bindField(int shape, int base) {\n" + bind + "}\n";
+    text += "vec2 evaluateField(int shape, vec3 p) {\n    snippetLoops = 0;\n" + call +
+            "    return vec2(1.0e9, 0.0);\n}\n";
+    out.includes["generated/field.glsl"] = text;
+
+    text = "#ifndef SNIPPET_GUARD\n#define SNIPPET_GUARD\n" + guard + "#endif\n";
+    call.clear();
+    for (size_t i = 0; i < materials.size(); ++i) {
+        const std::string tag = fmt::format("m{}", i);
+        text += emit(materials[i], tag, out);
+        call += fmt::format("    if (number == {}) {{\n        {}bind(base);\n        {}(s);\n    }}\n",
+                            i + 1, tag, emittedName(tag + "_", materials[i]->entry));
+    }
+    text += "void evaluateMaterial(int number, inout Surface s, int base) {\n    snippetLoops = 0;\n" +
+            call + "}\n";
+    out.includes["generated/material.glsl"] = text;
+    return out;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The TOML text of a scene as a tree that still knows its lines, with `--set` merged in.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace vitrine {
+
+/// Caps that keep hostile text away from the TOML library: it crashes on very long dotted keys.
+inline constexpr uint64_t kMaxSceneBytes = 1u << 20;
+inline constexpr size_t kMaxSceneLine = 4096;
+
+SourceLocation placeOf(const toml::node& node);
+SourceLocation placeOf(const toml::key& key);
+
+/// Nothing, with a diagnostic, if the text is not TOML.
+std::optional<toml::table> parseDocument(std::string_view text, const std::string& file,
+                                         Diagnostics& diagnostics);
+
+/// Merges one `--set KEY=VALUE`. KEY is "section.key" for the sections there is one of (render,
+/// environment, scene), "section.NAME.key" for the others; "camera.key" means the first camera and
+/// "light.key" every light. VALUE is a TOML value; a bare word is taken for a string.
+void applyOverride(toml::table& document, const std::string& assignment, Diagnostics& diagnostics);
+
+}  // namespace vitrine

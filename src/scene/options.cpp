@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "scene/options.hpp"
+
+namespace vitrine {
+namespace {
+
+constexpr Range kAnyNumber{-1e9, 1e9};
+constexpr Range kPositive{1e-6, 1e9};
+constexpr Range kUnit{0, 1};
+constexpr Range kNotNegative{0, 1e9};
+constexpr Range kNone{};
+
+template <class T, class E>
+ChoiceMember<T> choice(std::vector<std::string> words, E T::*member) {
+    return {std::move(words), [member](T& t, int i) { t.*member = static_cast<E>(i); },
+            [member](const T& t) { return static_cast<int>(t.*member); }};
+}
+
+}  // namespace
+
+const OptionTable<Scene>& sceneOptions() {
+    static const OptionTable<Scene> table{
+        {"title", &Scene::title, kNone, "shown in the window and written into pictures"},
+        {"description", &Scene::description, kNone, "what there is to see"},
+    };
+    return table;
+}
+
+const OptionTable<RenderSettings>& renderOptions() {
+    using R = RenderSettings;
+    static const OptionTable<R> table{
+        {"bounces", &R::bounces, {0, 32}, "mirror reflections followed after the camera ray"},
+        {"samples", &R::samples, {1, 65536}, "samples a pixel (`--spp` wins)"},
+        {"exposure", &R::exposure, {-20, 20}, "stops; +1 doubles the light"},
+        {"gamma", &R::gamma, {0.1, 10}, "extra gamma on top of sRGB; above 1 is brighter"},
+        {"tone_map", choice<R>({"none", "filmic"}, &R::toneMap), kNone,
+         "curve from scene light to display light"},
+        {"threshold", &R::threshold, kUnit, "a path ends when less than this of its light is left"},
+        {"ao", &R::ao, {0, 5}, "ambient occlusion by rays: 0 off, 1 natural, up to 5 dramatic"},
+        {"ao_distance", &R::aoDistance, kPositive, "reach of ambient occlusion, m"},
+        {"march_steps", &R::marchSteps, {8, 2048}, "most steps of one ray through one field"},
+        {"seed", &R::seed, {0, 2147483647}, "start of the random numbers (`--seed` wins)"},
+    };
+    return table;
+}
+
+const OptionTable<Camera>& cameraOptions() {
+    using C = Camera;
+    static const OptionTable<C> table{
+        {"name", &C::name, kNone, "for `--camera`"},
+        {"eye", &C::eye, kAnyNumber, "position, m"},
+        {"target", &C::target, kAnyNumber, "point in the middle of the picture, m"},
+        {"up", &C::up, kAnyNumber, "direction that is up in the picture"},
+        {"fov", &C::fov, {0.1, 170}, "vertical field of view, degrees"},
+        {"focal_length", &C::focalLength, {1, 2000}, "instead of fov: mm on a 36 mm wide sensor"},
+    };
+    return table;
+}
+
+const OptionTable<Environment>& environmentOptions() {
+    using E = Environment;
+    static const OptionTable<E> table{
+        {"zenith", &E::zenith, kNotNegative, "radiance from straight above"},
+        {"horizon", &E::horizon, kNotNegative, "radiance from the horizon"},
+        {"ground", &E::ground, kNotNegative, "radiance from below"},
+        {"intensity", &E::intensity, kNotNegative, "factor on all of it"},
+    };
+    return table;
+}
+
+const OptionTable<Light>& lightOptions() {
+    using L = Light;
+    static const OptionTable<L> table{
+        {"name", &L::name, kNone, "for `--set light.NAME.key=value`"},
+        {"type", choice<L>({"sun", "point"}, &L::type), kNone, "kind of light"},
+        {"at", &L::at, kAnyNumber, "position of a point light, m"},
+        {"direction", &L::direction, kAnyNumber, "way the light of a sun travels"},
+        {"color", &L::color, kNotNegative, "colour"},
+        {"intensity", &L::intensity, kNotNegative, "sun: irradiance, W/m2; point: W/sr"},
+    };
+    return table;
+}
+
+const OptionTable<Material>& materialOptions() {
+    using M = Material;
+    static const OptionTable<M> table{
+        {"base_color", &M::baseColor, kUnit, "colour of the body, or of a metal's mirror image"},
+        {"metallic", &M::metallic, kUnit, "0 for plastics, stone, paint; 1 for bare metal"},
+        {"roughness", &M::roughness, kUnit, "0 mirror, 1 matt"},
+        {"emission", &M::emission, kNotNegative, "light given off, radiance"},
+        {"emission_strength", &M::emissionStrength, kNotNegative, "factor on emission"},
+        {"snippet", &M::snippet, kNone, "NAME.mat.glsl with `void material(inout Surface s)`"},
+    };
+    return table;
+}
+
+const OptionTable<Shape>& shapeOptions() {
+    static const OptionTable<Shape> table{
+        {"sdf", &Shape::sdf, kNone, "NAME.sdf.glsl with `float sdf(vec3 p)`"},
+        {"mesh", &Shape::mesh, kNone, "NAME.obj"},
+    };
+    return table;
+}
+
+const OptionTable<BoxShape>& boxOptions() {
+    static const OptionTable<BoxShape> table{
+        {"size", ScaleMember<BoxShape>{&BoxShape::size}, kPositive, "edges, m"}};
+    return table;
+}
+
+const OptionTable<SphereShape>& sphereOptions() {
+    static const OptionTable<SphereShape> table{{"radius", &SphereShape::radius, kPositive, "m"}};
+    return table;
+}
+
+const OptionTable<PlaneShape>& planeOptions() {
+    static const OptionTable<PlaneShape> table{
+        {"size", ScaleMember<PlaneShape>{&PlaneShape::size}, kNotNegative, "edges along x and z, m; y is not used"}};
+    return table;
+}
+
+const OptionTable<TorusShape>& torusOptions() {
+    static const OptionTable<TorusShape> table{
+        {"radius", &TorusShape::radius, kPositive, "from the centre to the middle of the tube, m"},
+        {"tube", &TorusShape::tube, kPositive, "radius of the tube, m"}};
+    return table;
+}
+
+const OptionTable<CylinderShape>& cylinderOptions() {
+    static const OptionTable<CylinderShape> table{
+        {"radius", &CylinderShape::radius, kPositive, "m"},
+        {"height", &CylinderShape::height, kPositive, "m"}};
+    return table;
+}
+
+const OptionTable<Node>& nodeOptions() {
+    static const OptionTable<Node> table{
+        {"name", &Node::name, kNone, "for `parent` and `--set node.NAME.key=value`"},
+        {"parent", &Node::parent, kNone, "node whose place this one's is relative to"},
+        {"shape", &Node::shape, kNone, "what stands here; none makes a group"},
+        {"material", &Node::material, kNone, "of all parts that `parts` does not name"},
+        {"at", &Node::at, kAnyNumber, "position, m"},
+        {"rotate", &Node::rotate, kAnyNumber, "degrees about x, then y, then z"},
+        {"scale", ScaleMember<Node>{&Node::scale}, kAnyNumber, "one factor, or one an axis"},
+        {"visible", &Node::visible, kNone, "false hides it from every ray"},
+    };
+    return table;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// A scene as its author wrote it: plain data with defaults filled in and the place of whatever
+// may still turn out to be wrong. Metres, seconds, degrees, +Y up, right-handed; colours linear.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/math.hpp"
+
+namespace vitrine {
+
+/// A linear RGB colour, distinct from a position.
+struct Color {
+    glm::vec3 rgb{0};
+};
+
+/// The name of something declared elsewhere (a shape, a material, a file), and where it is used.
+struct Reference {
+    std::string name;
+    SourceLocation where;
+    [[nodiscard]] bool empty() const { return name.empty(); }
+};
+
+/// A number, a truth value, a vector or a colour given to a parameter of a snippet.
+struct ParameterValue {
+    std::string name;
+    glm::vec4 value{0};
+    int components = 1;  ///< 1 to 4
+    SourceLocation where;
+};
+
+enum class ToneMap { kNone, kFilmic };
+
+struct RenderSettings {
+    int bounces = 2;
+    int samples = 1;
+    float exposure = 0;  ///< stops
+    float gamma = 1;
+    ToneMap toneMap = ToneMap::kFilmic;
+    float threshold = 0.02f;
+    float ao = 1;
+    float aoDistance = 2;
+    int marchSteps = 256;
+    int seed = 0;
+};
+
+struct Camera {
+    std::string name;
+    glm::vec3 eye{3, 2, 4};
+    glm::vec3 target{0, 0.5f, 0};
+    glm::vec3 up{0, 1, 0};
+    float fov = 0;          ///< vertical, degrees; 0: from focalLength
+    float focalLength = 0;  ///< millimetres on a sensor 36 mm wide; 0: from fov
+    SourceLocation where;
+
+    static constexpr float kDefaultFocalLength = 35;
+};
+
+/// Radiance by direction: zenith above, horizon, ground below, blended smoothly.
+struct Environment {
+    Color zenith{{0.35f, 0.5f, 0.8f}};
+    Color horizon{{0.75f, 0.8f, 0.85f}};
+    Color ground{{0.25f, 0.23f, 0.21f}};
+    float intensity = 1;
+};
+
+enum class LightType { kSun, kPoint };
+
+struct Light {
+    std::string name;
+    LightType type = LightType::kSun;
+    glm::vec3 at{0, 4, 0};            ///< point
+    glm::vec3 direction{-1, -2, -1};  ///< sun: the way the light travels
+    Color color{{1, 1, 1}};
+    float intensity = 3;  ///< sun: irradiance, W/m2; point: radiant intensity, W/sr
+    SourceLocation where;
+};
+
+struct Material {
+    std::string name;
+    Color baseColor{{0.8f, 0.8f, 0.8f}};
+    float metallic = 0;
+    float roughness = 0.5f;
+    Color emission{{0, 0, 0}};
+    float emissionStrength = 1;
+    Reference snippet;  ///< a .mat.glsl file
+    std::vector<ParameterValue> set;
+    SourceLocation where;
+};
+
+struct BoxShape {
+    glm::vec3 size{1};
+};
+struct SphereShape {
+    float radius = 0.5f;
+};
+struct PlaneShape {
+    glm::vec3 size{10, 0, 10};
+};
+struct TorusShape {
+    float radius = 0.5f;
+    float tube = 0.2f;
+};
+struct CylinderShape {
+    float radius = 0.5f;
+    float height = 1;
+};
+
+/// Exactly one of the members is given.
+struct Shape {
+    std::string name;
+    Reference sdf;   ///< a .sdf.glsl file
+    Reference mesh;  ///< an .obj file
+    std::optional<BoxShape> box;
+    std::optional<SphereShape> sphere;
+    std::optional<PlaneShape> plane;
+    std::optional<TorusShape> torus;
+    std::optional<CylinderShape> cylinder;
+    SourceLocation where;
+};
+
+struct Node {
+    std::string name;
+    Reference parent;
+    Reference shape;
+    Reference material;
+    std::vector<std::pair<std::string, Reference>> parts;  ///< material by part name
+    glm::vec3 at{0};
+    glm::vec3 rotate{0};  ///< degrees about x, then y, then z
+    glm::vec3 scale{1};
+    std::vector<ParameterValue> set;
+    bool visible = true;
+    SourceLocation where;
+    std::vector<SourceLocation> partPlaces;  ///< one an entry of `parts`
+};
+
+struct Scene {
+    std::string file;                ///< for messages
+    std::filesystem::path folder;    ///< where references to files start, and which they stay inside
+    std::string title, description;
+    RenderSettings render;
+    std::vector<Camera> cameras;
+    Environment environment;
+    std::vector<Light> lights;
+    std::vector<Material> materials;
+    std::vector<Shape> shapes;
+    std::vector<Node> nodes;
+};
+
+/// `worldFromObject` of nodes[index]: translation, rotation and scale of it and its ancestors.
+glm::mat4 worldFromNode(const Scene& scene, size_t index);
+
+}  // namespace vitrine
