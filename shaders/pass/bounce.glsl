@@ -26,7 +26,8 @@ Bounce bouncePass(ivec2 pixel) {
     vec3 throughput = path.throughput * next.weight;
     if (maxComponent(throughput) < max(frame.shading.y, 1.0e-6)) return ended;
     Ray ray = Ray(hit.rayOrigin, next.direction, hit.radius);
-    return Bounce(trace(ray, kInfinity), vec4(ray.origin, ray.radius), vec4(ray.direction, 0.0),
+    return Bounce(trace(ray, kInfinity), vec4(ray.origin, ray.radius), 
+                  vec4(ray.direction, max(path.blur, highlightBlur(hit.surface))),
                   vec4(throughput, 1.0));
 }
 

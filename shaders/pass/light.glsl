@@ -49,7 +49,8 @@ vec3 shade(uvec4 record, Path path, ivec2 pixel) {
         Probe probe;
         if (i < lights) {
             LightSample light = sampleLight(i, hit.surface.position);
-            vec3 answer = reflectLight(hit.surface, toViewer, light.direction) * light.irradiance;
+            vec3 answer = reflectLight(hit.surface, toViewer, light.direction, path.blur) *
+                          light.irradiance;
             // Behind the surface that is really there, whatever its interpolated normal says.
             if (dot(light.direction, hit.geometricNormal) <= 0.0) answer = vec3(0.0);
             if (shadowView) answer = vec3(answer == vec3(0.0) ? 0.0 : 1.0 / float(lights));

@@ -4,7 +4,6 @@
 
 vec3 environmentRadiance(vec3 direction) {
     float up = direction.y;
-    // Square root: skies change fastest near the horizon.
-    vec3 above = mix(frame.background[1].rgb, frame.background[0].rgb, sqrt(max(up, 0.0)));
+    vec3 above = mix(frame.background[1].rgb, frame.background[0].rgb, smoothstep(0.0, 1.0, up));
     return mix(above, frame.background[2].rgb, smoothstep(0.0, 0.04, -up));
 }

@@ -6,12 +6,14 @@
 
 uniform usampler2D records;
 uniform sampler2D pathOrigin;      // xyz: origin; w: radius of the cone
-uniform sampler2D pathDirection;   // xyz: unit
+uniform sampler2D pathDirection;   // xyz: unit; w: blur
 uniform sampler2D pathThroughput;  // rgb
 
 struct Path {
     Ray ray;
     vec3 throughput;
+    float blur;  // width of the highlights that can be told from noise along this path
+                 // (after Jendersie & Grosch, Microfacet Model Regularization, EGSR 2019)
 };
 
 // Uses of random numbers, so that no two share one.
@@ -29,8 +31,9 @@ vec2 pixelPosition(ivec2 pixel) {
 }
 
 Path loadPath(ivec2 pixel) {
-    if (frame.sampling.z == 0) return Path(cameraRay(pixelPosition(pixel)), vec3(1.0));
+    if (frame.sampling.z == 0) return Path(cameraRay(pixelPosition(pixel)), vec3(1.0), 0.0);
     vec4 origin = texelFetch(pathOrigin, pixel, 0);
-    return Path(Ray(origin.xyz, texelFetch(pathDirection, pixel, 0).xyz, origin.w),
-                texelFetch(pathThroughput, pixel, 0).rgb);
+    vec4 direction = texelFetch(pathDirection, pixel, 0);
+    return Path(Ray(origin.xyz, direction.xyz, origin.w), texelFetch(pathThroughput, pixel, 0).rgb,
+                direction.w);
 }

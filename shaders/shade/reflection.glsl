@@ -14,13 +14,21 @@ vec3 reflectanceAtNormal(Surface s) { return mix(vec3(0.04), s.baseColor, s.meta
 
 float alphaOf(Surface s) { return s.roughness * s.roughness; }
 
-// Reflected radiance for unit irradiance at normal incidence, times the cosine.
-vec3 reflectLight(Surface s, vec3 toViewer, vec3 toLight) {
+// What a reflection here does to highlights seen in it: a mirror nothing; a lobe spreads them, and
+// curved surfaces spread the lobe, for which the square root is a plain allowance.
+float highlightBlur(Surface s) {
+    float alpha = alphaOf(s);
+    return alpha > kMirrorAlpha ? sqrt(alpha) : 0.0;
+}
+
+// Reflected radiance for unit irradiance at normal incidence, times the cosine. `leastAlpha`: see
+// Path; a sharp highlight seen by a blurred reflection is noise, a soft one is what it averages to.
+vec3 reflectLight(Surface s, vec3 toViewer, vec3 toLight, float leastAlpha) {
     float nDotL = dot(s.normal, toLight);
     float nDotV = max(dot(s.normal, toViewer), 1.0e-3);
     if (nDotL <= 0.0) return vec3(0.0);
     vec3 h = normalize(toViewer + toLight);
-    float alpha = max(alphaOf(s), kLeastLightAlpha);
+    float alpha = max(alphaOf(s), max(leastAlpha, kLeastLightAlpha));
     vec3 fresnel = fresnelSchlick(reflectanceAtNormal(s), dot(toLight, h));
     float lobe = ggxDistribution(clamp(dot(s.normal, h), 0.0, 1.0), alpha) *
                  smithVisibility(nDotL, nDotV, alpha);

@@ -9,8 +9,12 @@ namespace vitrine::glsl {
 
 namespace {
 
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool isNameCharacter(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '-'; }
+bool isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool isNameCharacter(char c) {
+    return isLetter(c) || (c >= '0' && c <= '9') || c == '-';
+}
 
 /// Walks over one line of text and knows where it is in the file.
 class Reader {
@@ -42,7 +46,9 @@ class Reader {
     size_t at_ = 0;
 };
 
-bool endsWord(char c) { return c == ',' || c == ']' || c == '(' || c == ')'; }
+bool endsWord(char c) {
+    return c == ',' || c == ']' || c == '(' || c == ')';
+}
 
 AnnotationValue readValue(Reader& reader) {
     AnnotationValue value;
@@ -81,15 +87,14 @@ std::optional<Annotation> findAnnotation(std::string_view text, Place place) {
     } while (reader.current() == ',');
     annotation.closed = reader.current() == ']';
     if (annotation.closed) reader.skip();
-    // In a block comment without uniforms of its own line the label ends with the line.
+    // A block comment may go on: the label ends with its first line.
     annotation.label = printable(trim(reader.rest()));
     return annotation;
 }
 
 std::optional<std::string> findGroup(const Comment& comment) {
-    const std::string_view text = trim(splitLines(comment.text).empty()
-                                           ? std::string_view{}
-                                           : splitLines(comment.text).front());
+    const std::string_view text = trim(
+        splitLines(comment.text).empty() ? std::string_view{} : splitLines(comment.text).front());
     const auto between = [](std::string_view s, std::string_view open, char close) {
         if (!startsWith(s, open) || s.find(close, open.size()) == std::string_view::npos)
             return std::string{};

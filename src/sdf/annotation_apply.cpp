@@ -13,8 +13,8 @@ namespace vitrine::glsl {
 
 namespace {
 
-const std::vector<std::string> kNames = {"slider", "color",     "checkbox",
-                                         "bounds", "lipschitz", "parts", "group"};
+const std::vector<std::string> kNames = {"slider",    "color", "checkbox", "bounds",
+                                         "lipschitz", "parts", "group"};
 
 constexpr std::string_view kSliderForm = "slider[min, default, max]";
 constexpr std::string_view kColorForm = "color[red, green, blue]";
@@ -23,7 +23,9 @@ constexpr std::string_view kBoundsForm = "bounds[minX, minY, minZ, maxX, maxY, m
 constexpr std::string_view kLipschitzForm = "lipschitz[1.4]";
 constexpr std::string_view kPartsForm = "parts[body, eyes]";
 
-std::string expected(std::string_view form) { return "; expected " + std::string(form); }
+std::string expected(std::string_view form) {
+    return "; expected " + std::string(form);
+}
 
 /// A finite number written as in GLSL or C; tells what is wrong with anything else.
 std::optional<float> number(std::string_view word, Place place, std::string_view form,
@@ -40,7 +42,8 @@ std::optional<float> number(std::string_view word, Place place, std::string_view
     if (digits[0] == '+') digits.remove_prefix(1);
     // from_chars also takes "nan" and "infinity".
     const size_t sign = !digits.empty() && digits[0] == '-' ? 1 : 0;
-    if (digits.size() == sign || (digits[sign] != '.' && (digits[sign] < '0' || digits[sign] > '9')))
+    if (digits.size() == sign ||
+        (digits[sign] != '.' && (digits[sign] < '0' || digits[sign] > '9')))
         return fail("not a number");
     double value = 0.0;
     auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -56,10 +59,9 @@ std::optional<float> number(std::string_view word, Place place, std::string_view
 std::optional<std::vector<float>> numbers(const Annotation& annotation, size_t count,
                                           std::string_view form, Problems& problems) {
     if (annotation.values.size() != count) {
-        problems.error(annotation.place, annotation.name + " has " +
-                                             std::to_string(annotation.values.size()) +
-                                             (annotation.values.size() == 1 ? " value" : " values") +
-                                             expected(form));
+        problems.error(annotation.place,
+                       annotation.name + " has " + std::to_string(annotation.values.size()) +
+                           (annotation.values.size() == 1 ? " value" : " values") + expected(form));
         return {};
     }
     std::vector<float> result;
@@ -222,7 +224,9 @@ bool isControl(std::string_view name) {
     return name == "slider" || name == "color" || name == "checkbox";
 }
 
-std::string annotationSuggestion(std::string_view name) { return didYouMean(name, kNames); }
+std::string annotationSuggestion(std::string_view name) {
+    return didYouMean(name, kNames);
+}
 
 void applyControl(const Annotation& annotation, Parameter& parameter, Problems& problems) {
     struct Control {
@@ -242,9 +246,10 @@ void applyControl(const Annotation& annotation, Parameter& parameter, Problems& 
         if (control.name != annotation.name) continue;
         if (!checkClosed(annotation, control.form, problems)) return;
         if (!control.fits) {
-            problems.error(annotation.place,
-                           std::string(control.name) + " is for " + std::string(control.types) +
-                               ", and '" + parameter.name + "' is a " + std::string(glslName(type)));
+            problems.error(annotation.place, std::string(control.name) + " is for " +
+                                                 std::string(control.types) + ", and '" +
+                                                 parameter.name + "' is a " +
+                                                 std::string(glslName(type)));
             return;
         }
         control.apply(annotation, parameter, problems);
@@ -265,7 +270,8 @@ bool applyToSnippet(const Annotation& annotation, Snippet& snippet, Problems& pr
     for (const Note& note : kNotes) {
         if (note.name != annotation.name) continue;
         if (snippet.kind != SnippetKind::kField)
-            problems.warning(annotation.place, annotation.name + " means something only in a field");
+            problems.warning(annotation.place,
+                             annotation.name + " means something only in a field");
         else if (checkClosed(annotation, note.form, problems))
             note.apply(annotation, snippet, problems);
         return true;

@@ -16,16 +16,18 @@ Parameter only(const std::string& line) {
     return snippet.parameters.size() == 1 ? snippet.parameters[0] : Parameter{};
 }
 
-std::string problems(const std::string& line) { return problemsOf(line + kEntry); }
+std::string problems(const std::string& line) {
+    return problemsOf(line + kEntry);
+}
 
 }  // namespace
 
 TEST(Annotation, SliderIsMinDefaultMax) {
-    for (const char* line :
-         {"uniform float r; // slider[-1, 0.5, 2.5e0] Big radius", "uniform float r; slider[-1,0.5,2.5] Big radius",
-          "uniform float r; //! slider[-1.0f, .5, 2.5]   Big radius  ",
-          "uniform highp float r; /* slider[ -1. ,0.5, +2.5] Big radius */",
-          "uniform float r;slider[-1,0.5,2.5] Big radius // not in the label"}) {
+    for (const char* line : {"uniform float r; // slider[-1, 0.5, 2.5e0] Big radius",
+                             "uniform float r; slider[-1,0.5,2.5] Big radius",
+                             "uniform float r; //! slider[-1.0f, .5, 2.5]   Big radius  ",
+                             "uniform highp float r; /* slider[ -1. ,0.5, +2.5] Big radius */",
+                             "uniform float r;slider[-1,0.5,2.5] Big radius // not in the label"}) {
         const Parameter p = only(line);
         EXPECT_EQ(p.name, "r") << line;
         EXPECT_EQ(p.type, ParameterType::kFloat);
@@ -57,8 +59,10 @@ TEST(Annotation, ColorAndCheckbox) {
 }
 
 TEST(Annotation, DescribesAllUniformsThatEndOnItsLine) {
-    const Snippet s = good("uniform float a, b; // slider[0,1,2]\nuniform float c, // slider[0,3,4]\n"
-                           "  d; // slider[0,5,6]" + kEntry);
+    const Snippet s = good(
+        "uniform float a, b; // slider[0,1,2]\nuniform float c, // slider[0,3,4]\n"
+        "  d; // slider[0,5,6]" +
+        kEntry);
     ASSERT_EQ(s.parameters.size(), 4u);
     EXPECT_EQ(s.parameters[1].defaultValue.x, 1.0f);
     EXPECT_EQ(s.parameters[2].defaultValue.x, 3.0f);
@@ -66,8 +70,9 @@ TEST(Annotation, DescribesAllUniformsThatEndOnItsLine) {
 }
 
 TEST(Annotation, OfTheSnippet) {
-    const Snippet s = good("// bounds[-1,-2,-3, 1,2,3]\n//lipschitz[1.4]\n/* parts[a, b-2] */\n"
-                           "vec2 sdf(vec3 p) { return vec2(0.0); }");
+    const Snippet s = good(
+        "// bounds[-1,-2,-3, 1,2,3]\n//lipschitz[1.4]\n/* parts[a, b-2] */\n"
+        "vec2 sdf(vec3 p) { return vec2(0.0); }");
     ASSERT_TRUE(s.bounds && s.lipschitz);
     EXPECT_EQ(s.bounds->min, glm::vec3(-1, -2, -3));
     EXPECT_EQ(s.bounds->max, glm::vec3(1, 2, 3));
@@ -76,9 +81,11 @@ TEST(Annotation, OfTheSnippet) {
 }
 
 TEST(Annotation, Groups) {
-    const Snippet s = good("uniform bool a;\n#group Shape of it\nuniform bool b;\n// group Look\n"
-                           "uniform bool c;\n// group[Two words]\nuniform bool d;\n"
-                           "//! <group name=\"S\">\nuniform bool e;" + kEntry);
+    const Snippet s = good(
+        "uniform bool a;\n#group Shape of it\nuniform bool b;\n// group Look\n"
+        "uniform bool c;\n// group[Two words]\nuniform bool d;\n"
+        "//! <group name=\"S\">\nuniform bool e;" +
+        kEntry);
     ASSERT_EQ(s.parameters.size(), 5u);
     EXPECT_EQ(s.parameters[0].group, "");
     EXPECT_EQ(s.parameters[1].group, "Shape of it");
@@ -90,9 +97,9 @@ TEST(Annotation, Groups) {
 TEST(Annotation, ProseIsLeftAlone) {
     for (const char* prose :
          {"// slider: see below", "// the bounds[0, 1] are odd", "// a[0] is first, b[1] second",
-          "// group the balls by size", "// color of the thing", "// [1, 2, 3]", "// array[i] of things",
-          "/* slider\n[0,1,2] */", "// index[3] and more", "// slider [0, 1, 2]",
-          "#if 0\nuniform float r; // sldier[0,\n// bounds[x]\n#endif"})
+          "// group the balls by size", "// color of the thing", "// [1, 2, 3]",
+          "// array[i] of things", "/* slider\n[0,1,2] */", "// index[3] and more",
+          "// slider [0, 1, 2]", "#if 0\nuniform float r; // sldier[0,\n// bounds[x]\n#endif"})
         EXPECT_EQ(problems(prose), "") << prose;
 }
 
@@ -100,7 +107,8 @@ TEST(Annotation, MistakesHaveAPlaceAndSayTheForm) {
     const std::pair<const char*, const char*> table[] = {
         {"uniform float r; // sldier[0, 1, 2]",
          "1:21: error: unknown annotation 'sldier' (did you mean 'slider'?)"},
-        {"// bound[0,0,0,1,1,1]", "1:4: warning: 'bound[' is no annotation (did you mean 'bounds'?)"},
+        {"// bound[0,0,0,1,1,1]",
+         "1:4: warning: 'bound[' is no annotation (did you mean 'bounds'?)"},
         {"// slider[0, 1, 2]\nuniform bool r;",
          "1:4: error: slider describes no uniform: it belongs on the line where one ends"},
         {"uniform float r; // slider[0, 1]",
@@ -138,15 +146,18 @@ TEST(Annotation, MistakesHaveAPlaceAndSayTheForm) {
         {"// bounds[0,0,0,1,0,1]",
          "1:13: error: the minimum is not below the maximum; expected bounds[minX, minY, minZ, "
          "maxX, maxY, maxZ]"},
-        {"// bounds[0,0,0,1,1,1]\n// bounds[0,0,0,1,1,1]", "2:4: error: the bounds are given twice"},
+        {"// bounds[0,0,0,1,1,1]\n// bounds[0,0,0,1,1,1]",
+         "2:4: error: the bounds are given twice"},
         {"// lipschitz[0]",
          "1:14: error: the largest slope of the field lies above 0 and up to 1000; expected "
          "lipschitz[1.4]"},
         {"// parts[a, a]", "1:13: error: two parts are called 'a'"},
         {"// parts[a, b c]",
-         "1:13: error: the name of a part has letters, digits, _ and -; expected parts[body, eyes]"},
+         "1:13: error: the name of a part has letters, digits, _ and -; expected parts[body, "
+         "eyes]"},
         {"// parts[a]",
-         "1:1: warning: parts[...] has no effect: 'sdf' returns only a distance, not vec2(distance, "
+         "1:1: warning: parts[...] has no effect: 'sdf' returns only a distance, not "
+         "vec2(distance, "
          "part)"},
     };
     for (const auto& [source, expected] : table) EXPECT_EQ(problems(source), expected) << source;

@@ -20,7 +20,8 @@ std::optional<std::vector<size_t>> matchBrackets(const Tokens& tokens, Problems&
         }
         if (!(token.is(")") || token.is("]") || token.is("}"))) continue;
         if (open.empty()) {
-            problems.error(token.place, "nothing is open that this '" + token.text + "' could close");
+            problems.error(token.place,
+                           "nothing is open that this '" + token.text + "' could close");
             return {};
         }
         const Token& opener = tokens[open.back()];

@@ -36,9 +36,9 @@ class CircleFinder {
                 continue;
             }
             const Function::Call& call = function.calls[step.nextCall++];
-            const auto start =
-                std::find_if(path_.begin(), path_.end(),
-                             [&](const Step& s) { return s.function == call.callee; });
+            const auto start = std::find_if(path_.begin(), path_.end(), [&](const Step& s) {
+                return s.function == call.callee;
+            });
             if (start != path_.end())
                 report(static_cast<size_t>(start - path_.begin()), call);
             else if (!done_[call.callee])

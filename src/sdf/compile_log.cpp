@@ -157,10 +157,9 @@ std::optional<Diagnostic> explainMessage(const CompileMessage& message,
     if (!at) return {};
     const SnippetInProgram& part = snippets[static_cast<size_t>(at->snippet)];
     const auto [text, words] = inUserNames(message.message, snippets);
-    const int column =
-        message.column > 0
-            ? originalColumn(*part.snippet, *part.options, at->line, message.column)
-            : columnOf(*part.snippet, at->line, words);
+    const int column = message.column > 0
+                           ? originalColumn(*part.snippet, *part.options, at->line, message.column)
+                           : columnOf(*part.snippet, at->line, words);
     return Diagnostic{message.severity, {part.snippet->file, at->line, column}, text};
 }
 

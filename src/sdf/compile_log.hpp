@@ -18,7 +18,9 @@ namespace vitrine {
 
 /// Above any number of lines that a snippet may have; our own shaders stay below the first base.
 inline constexpr int kLinesPerSnippet = 100'000;
-constexpr int lineBaseOf(int snippet) { return kLinesPerSnippet * (snippet + 1); }
+constexpr int lineBaseOf(int snippet) {
+    return kLinesPerSnippet * (snippet + 1);
+}
 
 struct CompileMessage {
     Severity severity = Severity::kError;
@@ -30,8 +32,8 @@ struct CompileMessage {
     std::string message;
 };
 
-/// The messages with a line of a log by Mesa "0:12(7): error: ...", NVIDIA "0(12) : error C1008: ..."
-/// or ANGLE, glslang, Apple, AMD and Intel "ERROR: 0:12: ...". Other lines are skipped.
+/// The messages with a line of a log by Mesa "0:12(7): error: ...", NVIDIA "0(12) : error C1008:
+/// ..." or ANGLE, glslang, Apple, AMD and Intel "ERROR: 0:12: ...". Other lines are skipped.
 std::vector<CompileMessage> parseCompileLog(std::string_view log);
 
 struct SnippetLine {

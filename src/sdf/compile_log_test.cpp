@@ -13,25 +13,27 @@ namespace {
 std::string described(const std::vector<CompileMessage>& messages) {
     std::string result;
     for (const CompileMessage& m : messages)
-        result += std::string(m.severity == Severity::kError ? "E " : "W ") + std::to_string(m.line) +
-                  ":" + std::to_string(m.column) + " " + m.message + "\n";
+        result += std::string(m.severity == Severity::kError ? "E " : "W ") +
+                  std::to_string(m.line) + ":" + std::to_string(m.column) + " " + m.message + "\n";
     return result;
 }
 
 }  // namespace
 
 TEST(CompileLog, Mesa) {
-    EXPECT_EQ(described(parseCompileLog("0:400013(47): error: `s3_undeclared' undeclared\n"
-                                        "3:400013(25): warning: `x' used uninitialized\n"
-                                        "3:400016(43): error: syntax error, unexpected '}', expecting ',' or ';'\n\n")),
+    EXPECT_EQ(described(parseCompileLog(
+                  "0:400013(47): error: `s3_undeclared' undeclared\n"
+                  "3:400013(25): warning: `x' used uninitialized\n"
+                  "3:400016(43): error: syntax error, unexpected '}', expecting ',' or ';'\n\n")),
               "E 400013:47 `s3_undeclared' undeclared\n"
               "W 400013:25 `x' used uninitialized\n"
               "E 400016:43 syntax error, unexpected '}', expecting ',' or ';'\n");
 }
 
 TEST(CompileLog, Nvidia) {
-    EXPECT_EQ(described(parseCompileLog("0(100012) : error C1008: undefined variable \"x\"\r\n"
-                                        "0(7) : warning C7050: \"a\" might be used before being initialized\n")),
+    EXPECT_EQ(described(parseCompileLog(
+                  "0(100012) : error C1008: undefined variable \"x\"\r\n"
+                  "0(7) : warning C7050: \"a\" might be used before being initialized\n")),
               "E 100012:0 undefined variable \"x\"\n"
               "W 7:0 \"a\" might be used before being initialized\n");
 }
@@ -44,9 +46,9 @@ TEST(CompileLog, AngleAndGlslang) {
 }
 
 TEST(CompileLog, SkipsWhatItDoesNotKnow) {
-    for (const char* log : {"", "\n\n", "0:", "0:1", "0(1", "0:1(2: error: x", "ERROR: ", "ERROR: a:b: c",
-                            "99999999999:1(1): error: x", "-1:-1(1): error: x", "0:1(1): note: x",
-                            "linking failed"})
+    for (const char* log :
+         {"", "\n\n", "0:", "0:1", "0(1", "0:1(2: error: x", "ERROR: ", "ERROR: a:b: c",
+          "99999999999:1(1): error: x", "-1:-1(1): error: x", "0:1(1): note: x", "linking failed"})
         EXPECT_TRUE(parseCompileLog(log).empty()) << log;
 }
 
@@ -64,9 +66,9 @@ TEST(CompileLog, MapsLines) {
 
 TEST(CompileLog, ExplainsInTheUsersTerms) {
     const Snippet first = good("float sdf(vec3 p) { return 0.0; }");
-    const Snippet second =
-        good("uniform float r; // slider[0,1,2]\nfloat _f(vec3 p) {\n    return   r + oops(p); }\n"
-             "float sdf(vec3 p) { return _f(p.xy); }");
+    const Snippet second = good(
+        "uniform float r; // slider[0,1,2]\nfloat _f(vec3 p) {\n    return   r + oops(p); }\n"
+        "float sdf(vec3 p) { return _f(p.xy); }");
     EmitOptions a = shortOptions(), b = shortOptions();
     a.prefix = "s0_";
     a.lineBase = lineBaseOf(0);
@@ -81,7 +83,8 @@ TEST(CompileLog, ExplainsInTheUsersTerms) {
     EXPECT_EQ(explain("0:200003(13): error: no function with name 'oops'"),
               "t:3:18: error: no function with name 'oops'")
         << "Mesa gives the column in the emitted line";
-    EXPECT_EQ(explain("0:200004(34): error: no matching function for call to `s1_0_f(vec2)'; candidates are:"),
+    EXPECT_EQ(explain("0:200004(34): error: no matching function for call to `s1_0_f(vec2)'; "
+                      "candidates are:"),
               "t:4:28: error: no matching function for call to `_f(vec2)'; candidates are:");
     EXPECT_EQ(explain("ERROR: 0:200004: 's1_0_f' : no matching overloaded function found"),
               "t:4:28: error: '_f' : no matching overloaded function found")

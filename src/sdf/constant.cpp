@@ -40,7 +40,9 @@ Value remainder(int64_t a, int64_t b) {
     if (b == 0) return {};
     return b == -1 ? 0 : a % b;
 }
-Value shiftLeft(int64_t a, int64_t b) { return b < 0 || b > 31 ? Value{} : multiply(a, 1LL << b); }
+Value shiftLeft(int64_t a, int64_t b) {
+    return b < 0 || b > 31 ? Value{} : multiply(a, 1LL << b);
+}
 
 constexpr std::array<BinaryOperator, 18> kOperators = {{
     {"||", 1, [](int64_t a, int64_t b) -> Value { return a != 0 || b != 0; }},

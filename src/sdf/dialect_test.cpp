@@ -48,8 +48,10 @@ std::string callOf(const Snippet& snippet, const std::string& prefix) {
             const char* component = snippet.entryReturnsPart ? ".x" : "";
             return "result += vec4(" + name + "(clock.xyz)" + component + ");\n";
         }
-        case SnippetKind::kMaterial: return "{ Surface s; " + name + "(s); result.xyz += s.color; }\n";
-        case SnippetKind::kScreen: return name + "(result, clock.xy);\n";
+        case SnippetKind::kMaterial:
+            return "{ Surface s; " + name + "(s); result.xyz += s.color; }\n";
+        case SnippetKind::kScreen:
+            return name + "(result, clock.xy);\n";
     }
     return {};
 }
@@ -75,7 +77,8 @@ std::string validated(const std::string& text, const std::string& stage) {
     fs::create_directories(folder);
     const fs::path file = folder / ("test." + stage), log = folder / "log";
     std::ofstream(file) << text;
-    const std::string command = "glslangValidator '" + file.string() + "' > '" + log.string() + "' 2>&1";
+    const std::string command =
+        "glslangValidator '" + file.string() + "' > '" + log.string() + "' 2>&1";
     const int status = std::system(command.c_str());
     std::ifstream in(log);
     const std::string output((std::istreambuf_iterator<char>(in)), {});
@@ -83,7 +86,9 @@ std::string validated(const std::string& text, const std::string& stage) {
     return status == 0 ? "" : output;
 }
 
-bool missing() { return std::system("glslangValidator --version > /dev/null 2>&1") != 0; }
+bool missing() {
+    return std::system("glslangValidator --version > /dev/null 2>&1") != 0;
+}
 
 }  // namespace
 

@@ -11,8 +11,10 @@ using Role = SnippetPiece::Role;
 
 std::string textOf(const SnippetPiece& piece, const Snippet& snippet, const EmitOptions& options) {
     switch (piece.role) {
-        case Role::kText: return piece.text;
-        case Role::kName: return emittedName(options.prefix, piece.text);
+        case Role::kText:
+            return piece.text;
+        case Role::kName:
+            return emittedName(options.prefix, piece.text);
         case Role::kParameter:
             return options.parameter(snippet.parameters[static_cast<size_t>(piece.index)],
                                      piece.index);
@@ -20,12 +22,14 @@ std::string textOf(const SnippetPiece& piece, const Snippet& snippet, const Emit
             const auto found = options.builtins.find(piece.text);
             return found == options.builtins.end() ? piece.text : found->second;
         }
-        case Role::kGuard: return options.loopGuard;
+        case Role::kGuard:
+            return options.loopGuard;
     }
     return {};
 }
 
-/// `visit(piece, text, column)` for each piece, after the line breaks or space before it were added.
+/// `visit(piece, text, column)` for each piece, after the line breaks or space before it were
+/// added.
 template <class Visit>
 std::string write(const Snippet& snippet, const EmitOptions& options, Visit visit) {
     // From here on a "#line" is shorter than the empty lines.

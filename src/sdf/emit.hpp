@@ -20,8 +20,8 @@ struct EmitOptions {
     /// context, so it must be a call, a name, or in parentheses.
     std::function<std::string(const Parameter&, int index)> parameter;
     /// Expressions for what is built in, by key: "time" (float), and for screens "timeDelta"
-    /// (float), "frame" (int), "resolution" (vec3), "mouse" (vec4), "date" (vec4). The same demands.
-    /// What is missing here is emitted under its own key as the name.
+    /// (float), "frame" (int), "resolution" (vec3), "mouse" (vec4), "date" (vec4). The same
+    /// demands. What is missing here is emitted under its own key as the name.
     std::map<std::string, std::string, std::less<>> builtins;
     /// A bool expression: true if a loop may go round once more. Asked before every iteration.
     std::string loopGuard = "loopGuard()";
@@ -31,7 +31,8 @@ struct EmitOptions {
 /// uniforms and precision statements are gone; every token stands on its line of the user's file.
 std::string emitSnippet(const Snippet& snippet, const EmitOptions& options);
 
-/// How a name that the snippet declares, `snippet.entry` for example, is called in the emitted text.
+/// How a name that the snippet declares, `snippet.entry` for example, is called in the emitted
+/// text.
 std::string emittedName(const std::string& prefix, const std::string& name);
 
 /// The column in the user's file of what stands in `column` of the emitted line for `line`.

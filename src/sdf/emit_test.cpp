@@ -44,7 +44,8 @@ float X_sdf(vec3 X_p) { float X_a; return X_shape(X_p, X_a).d + smin(X_a, P0, 0.
 }
 
 TEST(Emit, IsTheSameEveryTimeAndDependsOnThePrefix) {
-    const Snippet snippet = good("float rot(float a) { return a; } float sdf(vec3 p) { return rot(p.x); }");
+    const Snippet snippet =
+        good("float rot(float a) { return a; } float sdf(vec3 p) { return rot(p.x); }");
     EmitOptions options = shortOptions();
     const std::string first = emitSnippet(snippet, options);
     EXPECT_EQ(first, emitSnippet(snippet, options));
@@ -57,9 +58,11 @@ TEST(Emit, IsTheSameEveryTimeAndDependsOnThePrefix) {
 }
 
 TEST(Emit, Loops) {
-    EXPECT_EQ(emittedBody("for (int i=0; i<3; i++) r;"), "for (int X_i=0; G() && (X_i<3); X_i++) P0;");
+    EXPECT_EQ(emittedBody("for (int i=0; i<3; i++) r;"),
+              "for (int X_i=0; G() && (X_i<3); X_i++) P0;");
     EXPECT_EQ(emittedBody("for(;;);"), "for(;G(););");
-    EXPECT_EQ(emittedBody("for (p.x = 0., p.y = 1.; ; ) {}"), "for (X_p.x = 0., X_p.y = 1.; G() ; ) {}");
+    EXPECT_EQ(emittedBody("for (p.x = 0., p.y = 1.; ; ) {}"),
+              "for (X_p.x = 0., X_p.y = 1.; G() ; ) {}");
     EXPECT_EQ(emittedBody("while (p.x < 1. || p.y > 2.) p *= 2.;"),
               "while (G() && (X_p.x < 1. || X_p.y > 2.)) X_p *= 2.;");
     EXPECT_EQ(emittedBody("do p *= 2.; while(true);"), "do X_p *= 2.; while(G() && (true));");
@@ -69,15 +72,23 @@ TEST(Emit, Loops) {
               "while (bool X_b = G() && (X_p.x < 1.)) { X_b; } b;");
     EXPECT_EQ(emittedBody("for (int i; bool b = true; i++) b;"),
               "for (int X_i; bool X_b = G() && (true); X_i++) X_b;");
-    EXPECT_EQ(emittedBody("if (true) for (;;) while (true) break; else do ; while (true);"),
-              "if (true) for (;G();) while (G() && (true)) break; else do ; while (G() && (true));");
+    EXPECT_EQ(
+        emittedBody("if (true) for (;;) while (true) break; else do ; while (true);"),
+        "if (true) for (;G();) while (G() && (true)) break; else do ; while (G() && (true));");
     EXPECT_EQ(emittedBody("for (int i = 0;\ni < 3;\ni++)\n;"),
               "for (int X_i = 0;\nG() && (X_i < 3);\nX_i++)\n;");
 }
 
 TEST(Emit, NoLoopHidesInAMacro) {
-    EXPECT_EQ(emittedBody("\n#define LOOP(c) while (c)\n#define EVER ;;\nLOOP(true) for (EVER) LOOP(r > 1.) ;"),
-              "\n\n\nwhile ( G() && (true) ) for ( ;G(); ) while ( G() && (P0 > 1.) ) ;");
+    EXPECT_EQ(
+        emittedBody(
+            "\n#define LOOP(c) while (c)\n#define EVER ;;\nLOOP(true) for (EVER) LOOP(r > 1.) ;"),
+        "\n\n\nwhile ( G() && (true) ) for ( ;G(); ) while ( G() && (P0 > 1.) ) ;");
+}
+
+TEST(Emit, SignsOfMacrosDoNotStick) {
+    EXPECT_EQ(emittedBody("\n#define N -1.\n#define M -\n#define F(a) -a-\n-N M-1. F(-p)-F(p);"),
+              "#line 1007\n- -1. - -1. - -X_p - - - X_p - ;");
 }
 
 TEST(Emit, ShadowedNames) {
@@ -110,21 +121,22 @@ TEST(Emit, ShadowedNames) {
 }
 
 TEST(Emit, ParametersOfFunctionsShadowToo) {
-    EXPECT_EQ(emitted("uniform float r; // slider[0,1,2]\n"
-                      "float f(float r, float g) { return r; } float g(float) { return r; }\n"
-                      "float h(float f) { return f + g(f); }\n"
-                      "float sdf(vec3 p) { return f(r, 1.); }"),
-              "#line 1002\n"
-              "float X_f(float X_r, float X_g) { return X_r; } float X_g(float X_0p0) { return P0; }\n"
-              "float X_h(float X_f) { return X_f + X_g(X_f); }\n"
-              "float X_sdf(vec3 X_p) { return X_f(P0, 1.); }\n");
+    EXPECT_EQ(
+        emitted("uniform float r; // slider[0,1,2]\n"
+                "float f(float r, float g) { return r; } float g(float) { return r; }\n"
+                "float h(float f) { return f + g(f); }\n"
+                "float sdf(vec3 p) { return f(r, 1.); }"),
+        "#line 1002\n"
+        "float X_f(float X_r, float X_g) { return X_r; } float X_g(float X_0p0) { return P0; }\n"
+        "float X_h(float X_f) { return X_f + X_g(X_f); }\n"
+        "float X_sdf(vec3 X_p) { return X_f(P0, 1.); }\n");
 }
 
 TEST(Emit, OverloadsOfOtherPeoplesFunctions) {
     EXPECT_EQ(emitted("float f(vec3 v) { return max(v.x, v.y); }\n"
                       "float max(vec3 v) { return max(v.x, max(v.y, v.z)); }\n"
-                      "float sdf(vec3 p) { return max(p) + max(p.x, f(p)); }"
-                          ).substr(10),
+                      "float sdf(vec3 p) { return max(p) + max(p.x, f(p)); }")
+                  .substr(10),
               "\nfloat X_f(vec3 X_v) { return max(X_v.x, X_v.y); }\n"
               "float X_max(vec3 X_v) { return max(X_v.x, max(X_v.y, X_v.z)); }\n"
               "float X_sdf(vec3 X_p) { return X_max(X_p) + max(X_p.x, X_f(X_p)); }\n");
@@ -145,8 +157,9 @@ TEST(Emit, BuiltInsOfScreens) {
 }
 
 TEST(Emit, ColumnsLeadBack) {
-    const Snippet snippet = good("uniform float radius; // slider[0,1,2]\n"
-                                 "float sdf(vec3 p)   { return   radius + undeclared; }");
+    const Snippet snippet = good(
+        "uniform float radius; // slider[0,1,2]\n"
+        "float sdf(vec3 p)   { return   radius + undeclared; }");
     const std::string text = emitSnippet(snippet, shortOptions());
     EXPECT_EQ(text, "#line 1002\nfloat X_sdf(vec3 X_p) { return P0 + undeclared; }\n");
     EXPECT_EQ(originalColumn(snippet, shortOptions(), 2, 1), 1);

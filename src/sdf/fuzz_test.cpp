@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Broken snippets: whatever happens to a text, reading it ends soon, throws nothing, and each message
-// has a place inside of the file. The seeds are fixed, so a failure can be repeated.
+// Broken snippets: whatever happens to a text, reading it ends soon, throws nothing, and each
+// message has a place inside of the file. The seeds are fixed, so a failure can be repeated.
 #include <algorithm>
 #include <array>
 #include <random>
@@ -70,9 +70,11 @@ TEST(Fuzz, EveryMissingToken) {
 
 TEST(Fuzz, RandomTokens) {
     constexpr std::array<const char*, 36> kWords = {
-        "(", ")", "{", "}", "[", "]", ";", ",", "=", ".", "for", "while", "do", "if", "else",
-        "switch", "case", "uniform", "struct", "const", "float", "sdf", "p", "time", "return", "?",
-        ":", "precision", "in", "void", "\n#define p", "\n#if", "\n#endif\n", "\n", "1025", "//slider["};
+        "(",          ")",       "{",      "}",         "[",     "]",    ";",           ",",
+        "=",          ".",       "for",    "while",     "do",    "if",   "else",        "switch",
+        "case",       "uniform", "struct", "const",     "float", "sdf",  "p",           "time",
+        "return",     "?",       ":",      "precision", "in",    "void", "\n#define p", "\n#if",
+        "\n#endif\n", "\n",      "1025",   "//slider["};
     std::mt19937 random(20'240'229);
     const auto below = [&](size_t n) { return random() % n; };
     for (int round = 0; round < 4000; ++round) {

@@ -114,9 +114,9 @@ void chooseEntry(std::span<const Function> functions, Snippet& snippet, Problems
     };
     for (const Function& function : functions)
         if (known(kind.foreign, function.name))
-            problems.error(function.place,
-                           "'" + function.name + "' in a " + std::string(kind.suffix) + " file: " +
-                               std::string(kind.advice));
+            problems.error(function.place, "'" + function.name + "' in a " +
+                                               std::string(kind.suffix) +
+                                               " file: " + std::string(kind.advice));
     for (const std::string& name : kind.entries) {
         for (const Function& function : functions) {
             if (function.name != name || !function.defined || !fits(function, kind)) continue;
@@ -138,12 +138,10 @@ void chooseEntry(std::span<const Function> functions, Snippet& snippet, Problems
             spelling = "; did you mean '" + function.name + "' on line " +
                        std::to_string(function.place.line) + " to be '" + near + "'?";
     }
-    for (const std::string& name : kind.entries)
-        names += (names.empty() ? "" : ", ") + name;
-    problems.error({1, 1}, "no entry function: define " +
-                               withName(kind.signature, kind.entries.front()) +
-                               (kind.entries.size() > 1 ? " (accepted names: " + names + ")" : "") +
-                               spelling);
+    for (const std::string& name : kind.entries) names += (names.empty() ? "" : ", ") + name;
+    problems.error(
+        {1, 1}, "no entry function: define " + withName(kind.signature, kind.entries.front()) +
+                    (kind.entries.size() > 1 ? " (accepted names: " + names + ")" : "") + spelling);
 }
 
 }  // namespace vitrine::glsl

@@ -7,15 +7,23 @@ namespace vitrine::glsl {
 
 namespace {
 
-bool isDigit(int c) { return c >= '0' && c <= '9'; }
-bool startsWord(int c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool isWordPart(int c) { return startsWord(c) || isDigit(c); }
-bool isSpace(int c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool isDigit(int c) {
+    return c >= '0' && c <= '9';
+}
+bool startsWord(int c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool isWordPart(int c) {
+    return startsWord(c) || isDigit(c);
+}
+bool isSpace(int c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 
 // Longest first, so that the first fit is the longest one.
 constexpr std::array<std::string_view, 22> kLongOperators = {
-    "<<=", ">>=", "++", "--", "<<", ">>", "<=", ">=", "==", "!=", "&&", "||",
-    "^^",  "+=",  "-=", "*=", "/=", "%=", "&=", "|=", "^=", "##"};
+    "<<=", ">>=", "++", "--", "<<", ">>", "<=", ">=", "==", "!=", "&&",
+    "||",  "^^",  "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "##"};
 constexpr std::string_view kShortOperators = "()[]{}.,;:?+-*/%<>=!~&|^#";
 
 /// Reads characters and keeps the place; a backslash at the end of a line joins it with the next.
@@ -196,7 +204,9 @@ size_t utf8Length(std::string_view text) {
 
 }  // namespace
 
-LexedText lex(std::string_view source) { return Lexer(source).run(); }
+LexedText lex(std::string_view source) {
+    return Lexer(source).run();
+}
 
 std::string printable(std::string_view text, size_t maxBytes) {
     std::string result;

@@ -70,7 +70,10 @@ TEST(Lexer, PlacesWhatIsOpenOrForeign) {
 }
 
 TEST(Lexer, PrintableHidesWhatATerminalMustNotSee) {
-    EXPECT_EQ(printable("Gr\xC3\xBC\xC3\x9F" "e"), "Gr\xC3\xBC\xC3\x9F" "e");
+    EXPECT_EQ(printable("Gr\xC3\xBC\xC3\x9F"
+                        "e"),
+              "Gr\xC3\xBC\xC3\x9F"
+              "e");
     EXPECT_EQ(printable("a\x1B[2J\x80z"), "a?[2J?z");
     EXPECT_EQ(printable("\xC0\xAF \xED\xA0\x80"), "?? ???") << "overlong form and surrogate";
     EXPECT_EQ(printable("abcdef", 3), "abc...");

@@ -10,7 +10,8 @@ namespace vitrine::glsl {
 
 inline constexpr size_t kMaxSourceBytes = 64 * 1024;
 inline constexpr size_t kMaxTokens = 20'000;
-/// Tokens made while expanding macros, intermediate ones included: bounds the work, not only the text.
+/// Tokens made while expanding macros, intermediate ones included: bounds the work, not only the
+/// text.
 inline constexpr size_t kMaxExpansion = 40'000;
 /// Macro arguments that hold macro calls that hold ... Each level is one level of our own stack.
 inline constexpr int kMaxMacroDepth = 64;

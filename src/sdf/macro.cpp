@@ -26,7 +26,8 @@ Tokens Expander::expandWithin(Tokens input, int depth) {
     stack.push_back({std::move(input), 0, {}});
     Token token;
     while (!exhausted_ && next(stack, token)) {
-        const auto macro = token.isWord() && !token.painted ? macros_.find(token.text) : macros_.end();
+        const auto macro =
+            token.isWord() && !token.painted ? macros_.find(token.text) : macros_.end();
         if (depth == 0 && stack.size() == 1) outermost_ = token;
         if (macro == macros_.end() || !invoke(stack, macro->second, token, depth))
             output.push_back(std::move(token));
@@ -77,7 +78,8 @@ bool Expander::invoke(Stack& stack, const Macro& macro, const Token& name, int d
     for (const Token& part : macro.body) {
         size_t index = values.size();
         if (part.isWord() && macro.parameters) {
-            const auto at = std::find(macro.parameters->begin(), macro.parameters->end(), part.text);
+            const auto at =
+                std::find(macro.parameters->begin(), macro.parameters->end(), part.text);
             index = static_cast<size_t>(at - macro.parameters->begin());
         }
         const bool isArgument = index < values.size();

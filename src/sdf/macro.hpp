@@ -30,8 +30,8 @@ class Expander {
   public:
     Expander(const Macros& macros, Problems& problems) : macros_(macros), problems_(problems) {}
 
-    /// `input` with all macros expanded. Tokens from an expansion stand on the line of the outermost
-    /// macro's name. Nothing if the budget is used up, which is reported, once.
+    /// `input` with all macros expanded. Tokens from an expansion stand on the line of the
+    /// outermost macro's name. Nothing if the budget is used up, which is reported, once.
     std::optional<Tokens> expand(const Tokens& input);
 
   private:

@@ -66,7 +66,8 @@ TEST(Macro, StandsOnTheLineOfItsName) {
 TEST(Conditional, TakesOneBranch) {
     EXPECT_EQ(expanded("#if 0\na\n#elif 1\nb\n#elif 1\nc\n#else\nd\n#endif\ne"), "b e");
     EXPECT_EQ(expanded("#ifdef X\na\n#else\nb\n#endif"), "b");
-    EXPECT_EQ(expanded("#if 0\n#if 1\na\n#else\nb\n#endif\n#error no\n#include <x>\n@\n#endif\nc"), "c");
+    EXPECT_EQ(expanded("#if 0\n#if 1\na\n#else\nb\n#endif\n#error no\n#include <x>\n@\n#endif\nc"),
+              "c");
     EXPECT_EQ(expanded("#ifndef VITRINE\nvoid main(){}\n#endif"), "");
 }
 
@@ -74,7 +75,8 @@ TEST(Conditional, Computes) {
     for (const char* condition :
          {"1", "2 > 1", "1 + 2 * 3 == 7", "(1 + 2) * 3 == 9", "!0 && -1 < 0", "defined(VITRINE)",
           "defined VITRINE && !defined(GL_ES)", "0x10 == 16 && 010 == 8", "~0 == -1",
-          "1 << 4 == 16", "7 % 4 == 3", "__VERSION__ >= 300", "10 - 4 - 3 == 3", "N == 8", "1 || 0"})
+          "1 << 4 == 16", "7 % 4 == 3", "__VERSION__ >= 300", "10 - 4 - 3 == 3", "N == 8",
+          "1 || 0"})
         EXPECT_EQ(expanded("#define N 8\n#if " + std::string(condition) + "\nyes\n#endif"), "yes")
             << condition;
 }
@@ -86,8 +88,10 @@ TEST(Conditional, ReportsWhatIsNoCondition) {
               "1:1: error: the condition is no integer expression");
     EXPECT_EQ(problemsOf("#if HQ\n#endif\nfloat sdf(vec3 p){return 0.;}"),
               "1:5: warning: 'HQ' is not defined and counts as 0");
-    EXPECT_EQ(problemsOf("float sdf(vec3 p){return 0.;}\n#if 1"), "2:1: error: no #endif closes this");
-    EXPECT_EQ(problemsOf("float sdf(vec3 p){return 0.;}\n#endif"), "2:1: error: #endif without #if");
+    EXPECT_EQ(problemsOf("float sdf(vec3 p){return 0.;}\n#if 1"),
+              "2:1: error: no #endif closes this");
+    EXPECT_EQ(problemsOf("float sdf(vec3 p){return 0.;}\n#endif"),
+              "2:1: error: #endif without #if");
     EXPECT_EQ(problemsOf("float sdf(vec3 p){return 0.;}\n#if 1\n#else\n#else\n#endif"),
               "4:1: error: #else after #else");
 }
@@ -109,8 +113,9 @@ TEST(MacroBomb, EndsAtTheBudget) {
 
 TEST(MacroBomb, OfArgumentsAndOfNothing) {
     std::string bomb = "#define F(x) x x x x x x x x\n";
-    EXPECT_NE(problemsOf(bomb + "float sdf(vec3 p) { return F(F(F(F(F(F(F(1.)))))));}").find("40000"),
-              std::string::npos);
+    EXPECT_NE(
+        problemsOf(bomb + "float sdf(vec3 p) { return F(F(F(F(F(F(F(1.)))))));}").find("40000"),
+        std::string::npos);
     bomb = "#define E\n#define A0 E E E E E E E E\n";
     for (int i = 1; i <= 9; ++i) {
         bomb += "#define A" + std::to_string(i);

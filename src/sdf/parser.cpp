@@ -27,7 +27,8 @@ void Parser::run() {
     for (const Function& function : functions_) defined += function.defined ? 1 : 0;
     if (defined > kMaxFunctions)
         problems_.error({1, 1}, std::to_string(defined) + " functions; at most " +
-                                    std::to_string(kMaxFunctions) + " are compiled in bearable time");
+                                    std::to_string(kMaxFunctions) +
+                                    " are compiled in bearable time");
 }
 
 /// The next `text` that is not inside of brackets; `end` if there is none.
@@ -67,12 +68,12 @@ void Parser::checkWords() {
         const bool reserved = word.text.find("__") != std::string::npos;
         if (!reserved && word.text.size() <= kMaxNameLength) continue;
         if (!reported_.insert(word.text).second) continue;
-        problems_.error(word.place, reserved
-                                        ? "'" + printable(word.text) + "': two underscores in a "
-                                              "row are reserved in GLSL"
-                                        : "a name of " + std::to_string(word.text.size()) +
-                                              " characters; at most " +
-                                              std::to_string(kMaxNameLength) + " are allowed");
+        problems_.error(word.place, reserved ? "'" + printable(word.text) +
+                                                   "': two underscores in a "
+                                                   "row are reserved in GLSL"
+                                             : "a name of " + std::to_string(word.text.size()) +
+                                                   " characters; at most " +
+                                                   std::to_string(kMaxNameLength) + " are allowed");
     }
 }
 
@@ -81,7 +82,8 @@ void Parser::checkName(const Token& name) {
     if (isReserved(name.text))
         problems_.error(name.place, "'" + name.text + "' is a word of GLSL and cannot be a name");
     if (startsWith(name.text, "gl_"))
-        problems_.error(name.place, "'" + printable(name.text) + "': names that begin with gl_ are reserved");
+        problems_.error(name.place,
+                        "'" + printable(name.text) + "': names that begin with gl_ are reserved");
 }
 
 /// No expression holds two words in a row, so "T name" and "T[3] name" are declarations.
@@ -157,8 +159,7 @@ void Parser::structSpecifier(Type& type) {
 void Parser::arrayLength(Type& type) {
     const Token open = token();
     const size_t close = partner_[at_];
-    if (type.isArray)
-        problems_.error(open.place, "arrays of arrays do not exist in WebGL2");
+    if (type.isArray) problems_.error(open.place, "arrays of arrays do not exist in WebGL2");
     type.isArray = true;
     copy();
     if (at_ < close) {
@@ -189,8 +190,8 @@ void Parser::countArray(const Type& type, Place place) {
     constexpr int kLargestBuiltin = 16;
     if (type.arrayLength == 0 && type.size <= kLargestBuiltin) return;
     const bool wasWithin = arrayFloats_ <= kMaxArrayFloats;
-    arrayFloats_ = std::min(arrayFloats_ + type.size * std::max(1, type.arrayLength),
-                            kMaxArrayFloats + 1);
+    arrayFloats_ =
+        std::min(arrayFloats_ + type.size * std::max(1, type.arrayLength), kMaxArrayFloats + 1);
     if (wasWithin && arrayFloats_ > kMaxArrayFloats)
         problems_.error(place, "more than " + std::to_string(kMaxArrayFloats) +
                                    " numbers in arrays: no compiler would survive it");

@@ -85,8 +85,9 @@ void Parser::uniform() {
     while (true) {
         const Token name = token();
         if (!typeName.isWord() || !name.isWord()) {
-            problems_.error(keyword.place,
-                            "expected a uniform such as: uniform float r; // slider[0.0, 0.5, 1.0]");
+            problems_.error(
+                keyword.place,
+                "expected a uniform such as: uniform float r; // slider[0.0, 0.5, 1.0]");
             break;
         }
         ++at_;
@@ -142,8 +143,8 @@ void Parser::parameter(const Token& typeName, const Token& name, Place end) {
     if (builtin && !annotation) {
         // Only for programs that know no built-in time; but it must be what they mean.
         if (builtin->type != typeName.text)
-            problems_.error(typeName.place, "'" + name.text + "' is built in as a " +
-                                                std::string(builtin->type));
+            problems_.error(typeName.place,
+                            "'" + name.text + "' is built in as a " + std::string(builtin->type));
         symbol.kind = Symbol::Kind::kBuiltin;
         return declareVariable(name, symbol);
     }
@@ -218,7 +219,8 @@ std::vector<Argument> Parser::arguments(size_t close) {
     while (at_ < close) {
         Argument argument;
         for (size_t i = at_; i < close && isQualifier(tokens_[i].text); ++i)
-            if (tokens_[i].is("out") || tokens_[i].is("inout")) argument.direction = tokens_[i].text;
+            if (tokens_[i].is("out") || tokens_[i].is("inout"))
+                argument.direction = tokens_[i].text;
         Type type = typeSpecifier();
         if (at_ < close && token().isWord()) {
             const Token name = token();

@@ -231,8 +231,9 @@ void Parser::name() {
     if (!symbol || symbol->kind == Symbol::Kind::kBuiltin)
         builtin = findBuiltin(snippet_.kind, word.text);
     if ((builtin || (symbol && symbol->kind == Symbol::Kind::kParameter)) && scopes_.global()) {
-        problems_.error(word.place, "'" + word.text + "' changes, and the initial value of a global "
-                                    "variable must be constant");
+        problems_.error(word.place, "'" + word.text +
+                                        "' changes, and the initial value of a global "
+                                        "variable must be constant");
     }
     if (builtin) {
         snippet_.usesTime = snippet_.usesTime || builtin->key == "time";
@@ -246,8 +247,8 @@ void Parser::name() {
     } else if (!symbol) {
         const std::string_view reason = reasonAgainst(word.text);
         if (!reason.empty() && reported_.insert(word.text).second)
-            problems_.error(word.place,
-                            "'" + printable(word.text) + "' cannot be used: " + std::string(reason));
+            problems_.error(word.place, "'" + printable(word.text) +
+                                            "' cannot be used: " + std::string(reason));
         copy();
     } else if (symbol->kind == Symbol::Kind::kParameter) {
         put(Role::kParameter, word, word.text, symbol->index);

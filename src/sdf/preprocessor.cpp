@@ -33,7 +33,8 @@ struct Refusal {
 };
 
 constexpr std::array<Refusal, 10> kRefusals = {{
-    {"version", "the renderer chooses the version; for other programs, put it inside of #ifndef VITRINE"},
+    {"version",
+     "the renderer chooses the version; for other programs, put it inside of #ifndef VITRINE"},
     {"extension", "a snippet has to run everywhere, without extensions"},
     {"include", "a snippet is one file: paste the text here; shaders/lib/sdf is there without it"},
     {"line", "the renderer counts the lines"},
@@ -101,10 +102,11 @@ class Preprocessor {
         }
         const bool nul = token.text == std::string(1, '\0');
         const bool ascii = static_cast<unsigned char>(token.text[0]) < 0x80;
-        problems_.error(token.place, nul     ? "a NUL byte: this is not a text file"
-                                     : ascii ? "GLSL has no '" + printable(token.text) + "'"
-                                             : "'" + printable(token.text) +
-                                                   "' is not ASCII, which GLSL allows only in comments");
+        problems_.error(token.place,
+                        nul     ? "a NUL byte: this is not a text file"
+                        : ascii ? "GLSL has no '" + printable(token.text) + "'"
+                                : "'" + printable(token.text) +
+                                      "' is not ASCII, which GLSL allows only in comments");
     }
 
     /// Expands the text since the last # line.
@@ -146,7 +148,8 @@ class Preprocessor {
             problems_.error(place, "#" + name + " after #else");
         } else {
             open.sawElse = name == "else";
-            open.active = open.outer && !open.taken && (open.sawElse || condition("if", place, rest));
+            open.active =
+                open.outer && !open.taken && (open.sawElse || condition("if", place, rest));
             open.taken = open.taken || open.active;
         }
         setActive(active(), place.line);
@@ -234,8 +237,8 @@ class Preprocessor {
             problems_.error(place, quoted + " is not for snippets: " + std::string(refusal.reason));
             return;
         }
-        static const std::vector<std::string> kKnown = {"define", "undef", "if",    "ifdef", "ifndef",
-                                                        "elif",   "else",  "endif", "group"};
+        static const std::vector<std::string> kKnown = {
+            "define", "undef", "if", "ifdef", "ifndef", "elif", "else", "endif", "group"};
         problems_.error(place, "unknown directive " + quoted + didYouMean(name, kKnown));
     }
 
@@ -254,8 +257,8 @@ class Preprocessor {
             return;
         }
         const Token& name = rest[0];
-        if (name.text == "defined" || startsWith(name.text, "GL_") || startsWith(name.text, "gl_") ||
-            name.text.find("__") != std::string::npos) {
+        if (name.text == "defined" || startsWith(name.text, "GL_") ||
+            startsWith(name.text, "gl_") || name.text.find("__") != std::string::npos) {
             problems_.error(name.place, "the name '" + printable(name.text) + "' is reserved");
             return;
         }

@@ -18,7 +18,7 @@ struct GroupLine {
 };
 
 struct Preprocessed {
-    Tokens tokens;  // without macros and # lines; the last one is kEnd
+    Tokens tokens;                  // without macros and # lines; the last one is kEnd
     std::vector<Comment> comments;  // those that no #if skips
     std::vector<GroupLine> groups;
     /// A limit was hit; what follows would be guesswork.

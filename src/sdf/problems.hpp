@@ -17,9 +17,7 @@ class Problems {
     void error(Place place, std::string message);
     void warning(Place place, std::string message);
     [[nodiscard]] bool failed() const { return errors_ > 0; }
-    [[nodiscard]] SourceLocation at(Place place) const {
-        return {file_, place.line, place.column};
-    }
+    [[nodiscard]] SourceLocation at(Place place) const { return {file_, place.line, place.column}; }
 
   private:
     Diagnostics& diagnostics_;

@@ -19,7 +19,8 @@ namespace {
 
 void read(Snippet& snippet, glsl::Problems& problems) {
     if (snippet.source.size() > glsl::kMaxSourceBytes) {
-        problems.error({1, 1}, std::to_string(snippet.source.size()) + " bytes; a snippet has at most " +
+        problems.error({1, 1}, std::to_string(snippet.source.size()) +
+                                   " bytes; a snippet has at most " +
                                    std::to_string(glsl::kMaxSourceBytes));
         return;
     }
@@ -51,23 +52,33 @@ void read(Snippet& snippet, glsl::Problems& problems) {
 
 int componentCount(ParameterType type) {
     switch (type) {
-        case ParameterType::kVec2: return 2;
+        case ParameterType::kVec2:
+            return 2;
         case ParameterType::kVec3:
-        case ParameterType::kColor: return 3;
-        case ParameterType::kVec4: return 4;
-        default: return 1;
+        case ParameterType::kColor:
+            return 3;
+        case ParameterType::kVec4:
+            return 4;
+        default:
+            return 1;
     }
 }
 
 std::string_view glslName(ParameterType type) {
     switch (type) {
-        case ParameterType::kFloat: return "float";
-        case ParameterType::kInt: return "int";
-        case ParameterType::kBool: return "bool";
-        case ParameterType::kVec2: return "vec2";
+        case ParameterType::kFloat:
+            return "float";
+        case ParameterType::kInt:
+            return "int";
+        case ParameterType::kBool:
+            return "bool";
+        case ParameterType::kVec2:
+            return "vec2";
         case ParameterType::kVec3:
-        case ParameterType::kColor: return "vec3";
-        case ParameterType::kVec4: return "vec4";
+        case ParameterType::kColor:
+            return "vec3";
+        case ParameterType::kVec4:
+            return "vec4";
     }
     return "float";
 }

@@ -30,13 +30,15 @@ TEST(Snippet, KindOfFile) {
 }
 
 TEST(Snippet, EntryByRank) {
-    const std::string de = "float DE(vec3 p) { return 3.0; }", map = "vec2 map(vec3 p) { return vec2(0.0); }";
+    const std::string de = "float DE(vec3 p) { return 3.0; }",
+                      map = "vec2 map(vec3 p) { return vec2(0.0); }";
     EXPECT_EQ(good(de).entry, "DE");
     EXPECT_EQ(good(de + map).entry, "map");
     EXPECT_TRUE(good(de + map).entryReturnsPart);
     EXPECT_EQ(good(de + map + kEntry).entry, "sdf");
     EXPECT_FALSE(good(de + map + kEntry).entryReturnsPart);
-    EXPECT_EQ(good("float sdf(vec2 p) { return 0.0; }" + de).entry, "DE") << "a helper in two dimensions";
+    EXPECT_EQ(good("float sdf(vec2 p) { return 0.0; }" + de).entry, "DE")
+        << "a helper in two dimensions";
     EXPECT_EQ(good("float sdf(in vec3) { return 0.0; }").entry, "sdf");
 }
 
@@ -44,11 +46,13 @@ TEST(Snippet, MistakesHaveAPlace) {
     std::string many;
     for (int i = 0; i < 301; ++i) many += "void f" + std::to_string(i) + "(){}";
     const std::pair<std::string, const char*> table[] = {
-        {"", "1:1: error: no entry function: define float sdf(vec3 p), or vec2 sdf(vec3 p) for "
-             "(distance, part) (accepted names: sdf, map, DE)"},
+        {"",
+         "1:1: error: no entry function: define float sdf(vec3 p), or vec2 sdf(vec3 p) for "
+         "(distance, part) (accepted names: sdf, map, DE)"},
         {"\n float sdv(vec3 p) { return 0.0; }",
          "1:1: error: no entry function: define float sdf(vec3 p), or vec2 sdf(vec3 p) for "
-         "(distance, part) (accepted names: sdf, map, DE); did you mean 'sdv' on line 2 to be 'sdf'?"},
+         "(distance, part) (accepted names: sdf, map, DE); did you mean 'sdv' on line 2 to be "
+         "'sdf'?"},
         {"float map(vec2 p) { return 0.0; }",
          "1:7: error: 'map' must be float map(vec3 p), or vec2 map(vec3 p) for (distance, part)"},
         {"float map(inout vec3 p) { return 0.0; }",
@@ -56,7 +60,8 @@ TEST(Snippet, MistakesHaveAPlace) {
         {"float sdf(vec3 p);",
          "1:7: error: 'sdf' must be float sdf(vec3 p), or vec2 sdf(vec3 p) for (distance, part)"},
         {kEntry + "void mainImage(out vec4 c, in vec2 p) {}",
-         "2:6: error: 'mainImage' in a .sdf.glsl file: a distance field draws no picture: remove it, "
+         "2:6: error: 'mainImage' in a .sdf.glsl file: a distance field draws no picture: remove "
+         "it, "
          "or put it inside of #ifndef VITRINE"},
         {"#version 300 es\n" + kEntry,
          "1:1: error: #version is not for snippets: the renderer chooses the version; for other "
@@ -65,7 +70,8 @@ TEST(Snippet, MistakesHaveAPlace) {
          "1:2: error: #include is not for snippets: a snippet is one file: paste the text here; "
          "shaders/lib/sdf is there without it"},
         {"#extension all : enable\n#line 7\n#pragma x\n#error too old\n#foo\n#defin A\n" + kEntry,
-         "1:1: error: #extension is not for snippets: a snippet has to run everywhere, without extensions\n"
+         "1:1: error: #extension is not for snippets: a snippet has to run everywhere, without "
+         "extensions\n"
          "2:1: error: #line is not for snippets: the renderer counts the lines\n"
          "3:1: error: #pragma is not for snippets: the renderer sets them\n"
          "4:1: error: #error too old\n"
@@ -82,12 +88,14 @@ TEST(Snippet, MistakesHaveAPlace) {
          "3:20: error: macro 'F' takes 2 arguments, not 1"},
         {"float a__b = 1.0;\n" + kEntry,
          "1:7: error: 'a__b': two underscores in a row are reserved in GLSL"},
-        {"float gl_x = 1.0;\n" + kEntry, "1:7: error: 'gl_x': names that begin with gl_ are reserved"},
+        {"float gl_x = 1.0;\n" + kEntry,
+         "1:7: error: 'gl_x': names that begin with gl_ are reserved"},
         {"float sdf(vec3 p) { return gl_FragCoord.x; }",
          "1:28: error: 'gl_FragCoord' cannot be used: a snippet is called for rays, outside of any "
          "shader stage"},
         {"float sdf(vec3 p) { discard; }",
-         "1:21: error: 'discard' cannot be used: a ray asks for a value, there is no pixel to discard"},
+         "1:21: error: 'discard' cannot be used: a ray asks for a value, there is no pixel to "
+         "discard"},
         {"float sdf(vec3 p) { return texture(iChannel0, p.xy).x; }",
          "1:28: error: 'texture' cannot be used: snippets have no textures\n"
          "1:36: error: 'iChannel0' cannot be used: snippets have no textures"},
@@ -107,7 +115,8 @@ TEST(Snippet, MistakesHaveAPlace) {
          "1:1: error: 'layout' belongs to a whole shader; a snippet has functions, constants and "
          "uniforms of its own"},
         {"float x = time;\n" + kEntry,
-         "1:11: error: 'time' changes, and the initial value of a global variable must be constant"},
+         "1:11: error: 'time' changes, and the initial value of a global variable must be "
+         "constant"},
         {"x = 3;\n}\n" + kEntry, "2:1: error: nothing is open that this '}' could close"},
         {"x = 3;\n" + kEntry,
          "1:1: error: expected a function, a constant or a uniform, found 'x'"},
@@ -117,7 +126,8 @@ TEST(Snippet, MistakesHaveAPlace) {
         {"float sdf(vec3 p) { return 0.0 }", "1:28: error: a ';' is missing behind this"},
         {"float sdf(vec3 p) { float a = 1.0 return a; }",
          "1:35: error: 'return' inside of an expression; is a ';' missing?"},
-        {"float sdf(vec3 p) { float a b; return a; }", "1:29: error: expected ',' or ';', found 'b'"},
+        {"float sdf(vec3 p) { float a b; return a; }",
+         "1:29: error: expected ',' or ';', found 'b'"},
         {"float sdf(vec3 p) { for (int i = 0; i < 3) {} return 0.0; }",
          "1:21: error: a loop is written: for (start; condition; step)"},
         {"float sdf(vec3 p) { do { } return 0.0; }",
@@ -144,7 +154,9 @@ TEST(Snippet, MistakesHaveAPlace) {
         {"float a[2][3];\n" + kEntry, "1:11: error: arrays of arrays do not exist in WebGL2"},
         {"float f(float x) { return f(x); }\n" + kEntry,
          "1:27: error: 'f' calls itself (f -> f), and GLSL has no recursion"},
-        {"float g(float x);\nfloat f(float x) { return g(x); }\nfloat g(float x) { return f(x); }\n" + kEntry,
+        {"float g(float x);\nfloat f(float x) { return g(x); }\nfloat g(float x) { return f(x); "
+         "}\n" +
+             kEntry,
          "2:27: error: 'g' calls itself (g -> f -> g), and GLSL has no recursion"},
         {"float g(float x);\nfloat sdf(vec3 p) { return g(1.0); }",
          "2:28: error: 'g' is declared, but its body is missing"},
@@ -157,8 +169,7 @@ TEST(Snippet, MistakesHaveAPlace) {
         {"float " + std::string(201, 'x') + ";\n" + kEntry,
          "1:7: error: a name of 201 characters; at most 200 are allowed"},
         {"void f(){}\nvoid f() {}" + kEntry, "2:6: error: 'f' already has a body, on line 1"},
-        {many + kEntry,
-         "1:1: error: 302 functions; at most 300 are compiled in bearable time"},
+        {many + kEntry, "1:1: error: 302 functions; at most 300 are compiled in bearable time"},
     };
     for (const auto& [source, expected] : table)
         EXPECT_EQ(problemsOf(source), expected) << source.substr(0, 200);
@@ -169,9 +180,10 @@ TEST(Snippet, OtherKindsHaveTheirOwnEntry) {
               "1:1: error: no entry function: define void material(inout Surface s)");
     EXPECT_EQ(problemsOf("void material(Surface s) {}", SnippetKind::kMaterial),
               "1:6: error: 'material' must be void material(inout Surface s)");
-    EXPECT_EQ(problemsOf("void mainImage(out vec4 c, vec2 p) {}\nvoid main() {}", SnippetKind::kScreen),
-              "2:6: error: 'main' in a .screen.glsl file: the renderer has its own: remove it, or put "
-              "it inside of #ifndef VITRINE");
+    EXPECT_EQ(
+        problemsOf("void mainImage(out vec4 c, vec2 p) {}\nvoid main() {}", SnippetKind::kScreen),
+        "2:6: error: 'main' in a .screen.glsl file: the renderer has its own: remove it, or put "
+        "it inside of #ifndef VITRINE");
     EXPECT_EQ(problemsOf("// bounds[0,0,0,1,1,1]\nvoid material(inout Surface s) {}",
                          SnippetKind::kMaterial),
               "1:4: warning: bounds means something only in a field");
@@ -189,7 +201,9 @@ TEST(Snippet, UsesTimeOnlyIfItReadsTheBuiltIn) {
 }
 
 TEST(Snippet, RecursionIsNotSeenInOverloads) {
-    EXPECT_EQ(problemsOf("float f(vec2 x) { return x.x; }\nfloat f(vec3 x) { return f(x.xy); }\n" + kEntry), "");
+    EXPECT_EQ(problemsOf("float f(vec2 x) { return x.x; }\nfloat f(vec3 x) { return f(x.xy); }\n" +
+                         kEntry),
+              "");
     EXPECT_EQ(problemsOf("float f(float f) { return f; }\n" + kEntry), "");
 }
 
@@ -200,8 +214,8 @@ TEST(Snippet, ReportsSeveralErrorsButNotThousands) {
 }
 
 TEST(Snippet, LongElseIfChainsAreFine) {
-    EXPECT_EQ(problemsOf("float sdf(vec3 p) { " + repeated("if (p.x > 0.0) return 1.0; else ", 500) +
-                         "return 0.0; }"),
+    EXPECT_EQ(problemsOf("float sdf(vec3 p) { " +
+                         repeated("if (p.x > 0.0) return 1.0; else ", 500) + "return 0.0; }"),
               "");
 }
 
@@ -216,7 +230,8 @@ TEST(Snippet, TheWorstInputIsQuick) {
     problemsOf(repeated("#if 0\n#endif\n", 5'000));
     problemsOf(repeated("#define A\n", 6'000));
     problemsOf(repeated("f(float a);", 3'000));
-    problemsOf("float f(float a){" + repeated("f(", 60) + repeated("a+", 9'000) + "a" + repeated(")", 60) + ";}");
+    problemsOf("float f(float a){" + repeated("f(", 60) + repeated("a+", 9'000) + "a" +
+               repeated(")", 60) + ";}");
     problemsOf(repeated("void f(int a){f(a);}", 1'900));
     problemsOf("#define F(x) x\n" + repeated("F(", 9'000));
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));

@@ -135,7 +135,10 @@ float sdf(vec3 p) {
 }
 )"},
     {"noise", SnippetKind::kField, R"(// A bumpy ground. Ganz ohne Umlaute geht es nicht: hügelig.
-float hash21(vec2 p) { p = fract(p * vec2(234.34, 435.345)); p += dot(p, p + 34.23); return fract(p.x * p.y); }
+float hash21(vec2 p) {
+    p = fract(p * vec2(234.34, 435.345)); p += dot(p, p + 34.23);
+    return fract(p.x * p.y);
+}
 float noise(vec2 p) {
     vec2 i = floor(p), f = fract(p);
     f = f * f * (3.0 - 2.0 * f);

@@ -20,23 +20,23 @@ bool contains(const std::array<Word, n>& list, Word word) {
 
 // The types that GLSL ES 3.00 and GLSL 4.10 share, samplers apart.
 constexpr std::array<std::pair<Word, int>, 29> kTypes = {{
-    {"void", 1},   {"float", 1},   {"int", 1},      {"uint", 1},    {"bool", 1},    {"vec2", 2},
-    {"vec3", 3},   {"vec4", 4},    {"ivec2", 2},    {"ivec3", 3},   {"ivec4", 4},   {"uvec2", 2},
-    {"uvec3", 3},  {"uvec4", 4},   {"bvec2", 2},    {"bvec3", 3},   {"bvec4", 4},   {"mat2", 4},
-    {"mat3", 9},   {"mat4", 16},   {"mat2x2", 4},   {"mat2x3", 6},  {"mat2x4", 8},  {"mat3x2", 6},
-    {"mat3x3", 9}, {"mat3x4", 12}, {"mat4x2", 8},   {"mat4x3", 12}, {"mat4x4", 16},
+    {"void", 1},   {"float", 1},   {"int", 1},    {"uint", 1},    {"bool", 1},    {"vec2", 2},
+    {"vec3", 3},   {"vec4", 4},    {"ivec2", 2},  {"ivec3", 3},   {"ivec4", 4},   {"uvec2", 2},
+    {"uvec3", 3},  {"uvec4", 4},   {"bvec2", 2},  {"bvec3", 3},   {"bvec4", 4},   {"mat2", 4},
+    {"mat3", 9},   {"mat4", 16},   {"mat2x2", 4}, {"mat2x3", 6},  {"mat2x4", 8},  {"mat3x2", 6},
+    {"mat3x3", 9}, {"mat3x4", 12}, {"mat4x2", 8}, {"mat4x3", 12}, {"mat4x4", 16},
 }};
 
 constexpr std::array<Word, 7> kQualifiers = {"const", "in",      "out", "inout",
                                              "highp", "mediump", "lowp"};
 
 constexpr std::array<Word, 17> kShaderInterface = {
-    "uniform", "attribute", "varying",   "buffer",   "shared",        "layout",
-    "flat",    "smooth",    "centroid",  "sample",   "noperspective", "patch",
-    "subroutine", "coherent", "readonly", "writeonly", "volatile"};
+    "uniform",    "attribute", "varying",  "buffer",    "shared",        "layout",
+    "flat",       "smooth",    "centroid", "sample",    "noperspective", "patch",
+    "subroutine", "coherent",  "readonly", "writeonly", "volatile"};
 
-constexpr std::array<Word, 13> kStatements = {"if",      "else",   "for",   "while",    "do",
-                                              "switch",  "case",   "default", "return", "break",
+constexpr std::array<Word, 13> kStatements = {"if",       "else",    "for",      "while",  "do",
+                                              "switch",   "case",    "default",  "return", "break",
                                               "continue", "discard", "precision"};
 
 constexpr std::array<Word, 5> kOthers = {"struct", "true", "false", "invariant", "precise"};
@@ -71,9 +71,15 @@ int builtinTypeSize(Word word) {
     return 0;
 }
 
-bool isQualifier(Word word) { return contains(kQualifiers, word); }
-bool isShaderInterface(Word word) { return contains(kShaderInterface, word); }
-bool isStatementWord(Word word) { return contains(kStatements, word); }
+bool isQualifier(Word word) {
+    return contains(kQualifiers, word);
+}
+bool isShaderInterface(Word word) {
+    return contains(kShaderInterface, word);
+}
+bool isStatementWord(Word word) {
+    return contains(kStatements, word);
+}
 
 bool isReserved(Word word) {
     // "sample", "shared", "buffer" and the like are fine names in GLSL ES 3.00, and get a prefix.
