@@ -72,8 +72,11 @@ vec4 lightPass(ivec2 pixel) {
     vec3 before = texelFetch(radianceBefore, pixel, 0).rgb;
     if (record.x == VITRINE_RECORD_NONE) return vec4(before, 1.0);
     Path path = loadPath(pixel);
-    vec3 radiance = isSurface(record) ? shade(record, path, pixel)
-                                      : environmentRadiance(path.ray.direction);
+    vec3 radiance = vec3(0.0);
+    if (isSurface(record))
+        radiance = shade(record, path, pixel);
+    else if (frame.image.w != VITRINE_VIEW_SHADOW)
+        radiance = environmentRadiance(path.ray.direction);
     return vec4(before + path.throughput * radiance, 1.0);
 }
 

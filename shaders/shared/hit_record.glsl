@@ -4,7 +4,7 @@
 //
 //   x  instance, or VITRINE_RECORD_MISS (the ray left the scene), or VITRINE_RECORD_NONE (no ray)
 //   y  primitive of a mesh; part of a field
-//   z  mesh: barycentrics u, v as 2 x 16 bit unorm; field: octahedral normal as 2 x 16 bit snorm
+//   z  mesh: barycentrics u, v as 2 x 16 bits; field: octahedral normal as 2 x 16 bits
 //   w  distance along the ray, bits of a float (unsigned textures flush no denormals)
 
 VITRINE_INLINE uvec4 packHit(uint instance, uint primitive, uint detail, float t) {
@@ -17,8 +17,16 @@ VITRINE_INLINE uvec4 noRecord() { return uvec4(VITRINE_RECORD_NONE, 0u, 0u, 0u);
 VITRINE_INLINE bool isSurface(uvec4 record) { return record.x < VITRINE_RECORD_MISS; }
 VITRINE_INLINE float recordDistance(uvec4 record) { return uintBitsToFloat(record.w); }
 
-VITRINE_INLINE uint packBarycentrics(vec2 uv) { return packUnorm2x16(uv); }
-VITRINE_INLINE vec2 unpackBarycentrics(uint bits) { return unpackUnorm2x16(bits); }
+// Written out, because GLSL 4.10 has no packUnorm2x16.
+VITRINE_INLINE uint packBarycentrics(vec2 uv) {
+    uint u = uint(clamp(uv.x, 0.0f, 1.0f) * 65535.0f + 0.5f);
+    uint v = uint(clamp(uv.y, 0.0f, 1.0f) * 65535.0f + 0.5f);
+    return u | (v << 16u);
+}
+
+VITRINE_INLINE vec2 unpackBarycentrics(uint bits) {
+    return vec2(float(bits & 0xffffu), float(bits >> 16u)) / 65535.0f;
+}
 
 // Octahedral unit vectors (Cigolle et al., A Survey of Efficient Representations for Independent
 // Unit Vectors, JCGT 2014); the largest error of 2 x 16 bits is 0.004 degrees.
@@ -28,11 +36,14 @@ VITRINE_INLINE uint packNormal(vec3 n) {
     if (v.z < 0.0f)
         p = vec2((1.0f - abs(v.y)) * (v.x >= 0.0f ? 1.0f : -1.0f),
                  (1.0f - abs(v.x)) * (v.y >= 0.0f ? 1.0f : -1.0f));
-    return packSnorm2x16(p);
+    // Steps of 1/32767 on both sides of an exact zero: the axes stay exact.
+    uint x = uint(p.x * 32767.0f + 32767.5f);
+    uint y = uint(p.y * 32767.0f + 32767.5f);
+    return x | (y << 16u);
 }
 
 VITRINE_INLINE vec3 unpackNormal(uint bits) {
-    vec2 p = unpackSnorm2x16(bits);
+    vec2 p = (vec2(float(bits & 0xffffu), float(bits >> 16u)) - vec2(32767.0f)) / 32767.0f;
     vec3 v = vec3(p.x, p.y, 1.0f - abs(p.x) - abs(p.y));
     if (v.z < 0.0f)
         v = vec3((1.0f - abs(p.y)) * (p.x >= 0.0f ? 1.0f : -1.0f),

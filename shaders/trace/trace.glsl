@@ -24,7 +24,6 @@ uvec4 trace(Ray ray, float tMax) {
     int floorDepth = 0;  // entries below belong to the upper level
     bool insideMesh = false;
     int instanceIndex = 0;
-    int firstTriangle = 0;
     vec3 origin = ray.origin;  // of the ray in the space of the tree that is walked
     vec3 direction = ray.direction;
     vec3 inverse = safeInverse(direction);

@@ -33,7 +33,8 @@ const std::vector<PassShader>& passShaders() {
     static const std::vector<PassShader> passes{{"visibility", true}, {"light", true},
                                                 {"bounce", true},     {"accumulate", false},
                                                 {"display", false},   {"view", false},
-                                                {"check_snippet", false}};
+                                                {"check_snippet", false},
+                                                {"query_closest", true}, {"query_any", true}};
     return passes;
 }
 

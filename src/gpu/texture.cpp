@@ -89,6 +89,15 @@ std::vector<uint32_t> Texture::readUints() const {
     return read<uint32_t>(*this, GL_RGBA_INTEGER, GL_UNSIGNED_INT);
 }
 
+void Texture::write(std::span<const std::byte> bytes) {
+    const FormatInfo info = formatInfo(format_);
+    assert(bytes.size() % (static_cast<size_t>(width_) * height_) == 0);
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, info.external, info.type, bytes.data());
+    checkGl("uploading an image");
+}
+
 void Texture::clear() {
     unsigned framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);

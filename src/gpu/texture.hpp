@@ -2,6 +2,7 @@
 // 2-D images that passes read and write, and buffers that shaders read texel by texel.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,8 @@ class Texture {
     [[nodiscard]] std::vector<uint8_t> readBytes() const;
     [[nodiscard]] std::vector<float> readFloats() const;
     [[nodiscard]] std::vector<uint32_t> readUints() const;
+    /// Replaces all texels; `bytes` has the format's layout, bottom row first.
+    void write(std::span<const std::byte> bytes);
     void clear();
 
   private:

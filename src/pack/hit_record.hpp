@@ -2,21 +2,16 @@
 // The hit record in C++: the text that GLSL compiles, compiled again.
 #pragma once
 
-#include <glm/packing.hpp>
-
 #include "base/math.hpp"
 #include "shared/limits.glsl"
 
 namespace vitrine::record {
 
 using glm::abs;
+using glm::clamp;
 using glm::floatBitsToUint;
 using glm::normalize;
-using glm::packSnorm2x16;
-using glm::packUnorm2x16;
 using glm::uintBitsToFloat;
-using glm::unpackSnorm2x16;
-using glm::unpackUnorm2x16;
 using glm::uvec4;
 using glm::vec2;
 using glm::vec3;

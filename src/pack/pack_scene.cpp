@@ -162,6 +162,7 @@ class Packer {
 
     void packInstances() {
         std::vector<Aabb> boxes;
+        const std::vector<glm::mat4> world = worldFromNodes(scene_);
         for (size_t i = 0; i < scene_.nodes.size(); ++i) {
             const Node& node = scene_.nodes[i];
             const int shape = indexByName(scene_.shapes, node.shape.name);
@@ -171,7 +172,7 @@ class Packer {
             if (field == nullptr && !node.set.empty() && scene_.shapes[static_cast<size_t>(shape)].sdf.empty())
                 diagnostics_.error(node.set[0].where, "only an SDF shape has parameters to set");
             if ((mesh == nullptr && field == nullptr) || !node.visible) continue;
-            addInstance(node, worldFromNode(scene_, i), mesh, field, boxes);
+            addInstance(node, world[i], mesh, field, boxes);
         }
         BuildOptions options;
         options.maxLeafSize = 1;  // the shader takes a leaf of the upper level for one instance

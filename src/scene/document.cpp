@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.hpp"
 
 namespace vitrine {
@@ -33,9 +35,9 @@ std::vector<std::string> splitKey(std::string_view key) {
     }
 }
 
-/// The value as TOML, or as a string if it is a bare word.
+/// The value as TOML, or as text if it is none.
 std::optional<toml::table> parseValue(const std::string& value, const std::string& file) {
-    for (const std::string& text : {"value = " + value, fmt::format("value = '{}'", value)}) {
+    for (const std::string& text : {"value = " + value, fmt::format("value = '''{}'''", value)}) {
         try {
             return toml::parse(text, file);
         } catch (const toml::parse_error&) {
@@ -44,47 +46,73 @@ std::optional<toml::table> parseValue(const std::string& value, const std::strin
     return {};
 }
 
-/// The tables that the first words of a key name; `used` says how many words that took.
-std::vector<toml::table*> findTargets(toml::table& document, const std::vector<std::string>& words,
-                                      size_t& used, std::vector<std::string>& candidates) {
-    const std::string& section = words[0];
-    used = 1;
-    if (isListSection(section)) {
-        toml::array* list = document[section].as_array();
-        if (list == nullptr) return {};
-        std::vector<toml::table*> all, named;
-        for (toml::node& entry : *list) {
-            toml::table* table = entry.as_table();
-            if (table == nullptr) continue;
-            all.push_back(table);
-            const std::string name = (*table)["name"].value_or(std::string());
-            candidates.push_back(name);
-            if (words.size() > 2 && name == words[1]) named.push_back(table);
-        }
-        if (words.size() > 2) {
-            used = 2;
-            return named;
-        }
-        if (section == "camera" && all.size() > 1) all.resize(1);
-        return section == "node" ? std::vector<toml::table*>{} : all;
+/// The tables of a list section that a key means: those of the name in words[1], or all.
+std::vector<toml::table*> findInList(toml::array& list, const std::vector<std::string>& words,
+                                     std::vector<std::string>& names) {
+    std::vector<toml::table*> found;
+    for (toml::node& entry : list) {
+        toml::table* table = entry.as_table();
+        if (table == nullptr) continue;
+        names.push_back((*table)["name"].value_or(std::string()));
+        if (words.size() == 2 || names.back() == words[1]) found.push_back(table);
     }
-    if (isNamedSection(section)) {
-        toml::table* group = document[section].as_table();
-        if (group == nullptr || words.size() < 3) return {};
-        for (const auto& [key, value] : *group) candidates.emplace_back(key.str());
-        used = 2;
-        toml::table* table = (*group)[words[1]].as_table();
+    if (words[0] == "camera" && words.size() == 2 && found.size() > 1) found.resize(1);
+    return found;
+}
+
+/// The tables that the first words of a key name, or none after a diagnostic.
+std::vector<toml::table*> findTargets(toml::table& document, const std::vector<std::string>& words,
+                                      const SourceLocation& where, Diagnostics& diagnostics) {
+    const std::string& section = words[0];
+    if (std::find(sectionNames().begin(), sectionNames().end(), section) == sectionNames().end()) {
+        diagnostics.error(where, fmt::format("unknown section '{}'{}", section,
+                                             didYouMean(section, sectionNames())));
+        return {};
+    }
+    if (!isListSection(section) && !isNamedSection(section)) {
+        if (!document.contains(section)) document.insert(section, toml::table{});
+        toml::table* table = document[section].as_table();
         return table != nullptr ? std::vector<toml::table*>{table} : std::vector<toml::table*>{};
     }
-    if (!document.contains(section)) document.insert(section, toml::table{});
-    toml::table* table = document[section].as_table();
-    return table != nullptr ? std::vector<toml::table*>{table} : std::vector<toml::table*>{};
+    if (words.size() == 2 && section != "camera" && section != "light") {
+        diagnostics.error(where, fmt::format("say which {0}: {0}.NAME.{1}", section, words[1]));
+        return {};
+    }
+    std::vector<std::string> names;
+    std::vector<toml::table*> found;
+    if (toml::array* list = document[section].as_array()) found = findInList(*list, words, names);
+    if (toml::table* group = document[section].as_table()) {
+        for (const auto& [key, value] : *group) names.emplace_back(key.str());
+        if (toml::table* table = (*group)[words[1]].as_table()) found.push_back(table);
+    }
+    if (found.empty())
+        diagnostics.error(where, words.size() == 2
+                                     ? fmt::format("the scene has no {}", section)
+                                     : fmt::format("the scene has no {} '{}'{}", section, words[1],
+                                                   didYouMean(words[1], names)));
+    return found;
 }
 
 }  // namespace
 
-SourceLocation placeOf(const toml::node& node) { return place(node.source()); }
-SourceLocation placeOf(const toml::key& key) { return place(key.source()); }
+const std::vector<std::string>& sectionNames() {
+    static const std::vector<std::string> names{"scene", "render",   "camera", "environment",
+                                                "light", "material", "shape",  "node"};
+    return names;
+}
+
+SourceLocation placeOf(const toml::node& node) {
+    const toml::table* table = node.as_table();
+    // A table that `--set` made on its way to a key has no place, but that key has.
+    if (node.source().begin.line == 0 && table != nullptr && !table->empty())
+        return placeOf(table->begin()->second);
+    return place(node.source());
+}
+
+SourceLocation placeOf(const toml::key& key, const toml::node& value) {
+    const SourceLocation where = placeOf(value);
+    return where.line == 0 ? where : place(key.source());
+}
 
 std::optional<toml::table> parseDocument(std::string_view text, const std::string& file,
                                          Diagnostics& diagnostics) {
@@ -118,19 +146,14 @@ void applyOverride(toml::table& document, const std::string& assignment, Diagnos
         return;
     }
     const std::vector<std::string> words = splitKey(std::string_view(assignment).substr(0, equals));
-    if (words.size() < 2 || words.size() > 8) {
+    const bool emptyWord = std::find(words.begin(), words.end(), "") != words.end();
+    if (emptyWord || words.size() < 2 || words.size() > 8) {
         diagnostics.error(where, "the key needs a section, as in render.exposure");
         return;
     }
-    size_t used = 0;
-    std::vector<std::string> candidates;
-    const std::vector<toml::table*> targets = findTargets(document, words, used, candidates);
-    if (targets.empty()) {
-        const std::string& name = words[words.size() > 2 ? 1 : 0];
-        diagnostics.error(where, fmt::format("the scene has no {} '{}'{}", words[0], name,
-                                             didYouMean(name, candidates)));
-        return;
-    }
+    const std::vector<toml::table*> targets = findTargets(document, words, where, diagnostics);
+    const bool single = !isListSection(words[0]) && !isNamedSection(words[0]);
+    const size_t used = single || words.size() == 2 ? 1 : 2;
     for (toml::table* target : targets) {
         std::optional<toml::table> value = parseValue(assignment.substr(equals + 1), where.file);
         if (!value) {
@@ -146,9 +169,8 @@ void applyOverride(toml::table& document, const std::string& assignment, Diagnos
             }
         }
         // Moved, because a copy would forget where it came from.
-        (*value)["value"].visit([&](auto& node) {
-            target->insert_or_assign(words.back(), std::move(node));
-        });
+        (*value)["value"].visit(
+            [&](auto& node) { target->insert_or_assign(words.back(), std::move(node)); });
     }
 }
 

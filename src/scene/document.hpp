@@ -17,8 +17,12 @@ namespace vitrine {
 inline constexpr uint64_t kMaxSceneBytes = 1u << 20;
 inline constexpr size_t kMaxSceneLine = 4096;
 
+/// [scene], [[camera]] and so on.
+const std::vector<std::string>& sectionNames();
+
 SourceLocation placeOf(const toml::node& node);
-SourceLocation placeOf(const toml::key& key);
+/// Of a key and its value: the key's, unless it came from the command line.
+SourceLocation placeOf(const toml::key& key, const toml::node& value);
 
 /// Nothing, with a diagnostic, if the text is not TOML.
 std::optional<toml::table> parseDocument(std::string_view text, const std::string& file,
@@ -26,7 +30,7 @@ std::optional<toml::table> parseDocument(std::string_view text, const std::strin
 
 /// Merges one `--set KEY=VALUE`. KEY is "section.key" for the sections there is one of (render,
 /// environment, scene), "section.NAME.key" for the others; "camera.key" means the first camera and
-/// "light.key" every light. VALUE is a TOML value; a bare word is taken for a string.
+/// "light.key" every light. VALUE is a TOML value; anything else is taken for text.
 void applyOverride(toml::table& document, const std::string& assignment, Diagnostics& diagnostics);
 
 }  // namespace vitrine

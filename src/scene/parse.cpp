@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <algorithm>
+#include <tuple>
 
 #include "base/file.hpp"
+#include "scene/references.hpp"
 #include "scene/values.hpp"
 
 namespace vitrine {
@@ -17,8 +19,6 @@ class SceneParser {
     SceneParser(Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
 
     void parse(const toml::table& document) {
-        static const std::vector<std::string> kSections{"scene", "render",   "camera", "environment",
-                                                        "light", "material", "shape",  "node"};
         for (const auto& [key, node] : document) {
             const std::string section(key.str());
             if (section == "scene")
@@ -38,10 +38,11 @@ class SceneParser {
             else if (section == "shape")
                 named(node, section, [&](const std::string& n, const toml::table& t) { shape(n, t); });
             else
-                diagnostics_.error(placeOf(key), fmt::format("unknown section '{}'{}", section,
-                                                             didYouMean(section, kSections)));
+                diagnostics_.error(placeOf(key, node),
+                                   fmt::format("unknown section '{}'{}", section,
+                                               didYouMean(section, sectionNames())));
         }
-        checkReferences();
+        checkReferences(scene_, diagnostics_);
     }
 
   private:
@@ -51,7 +52,7 @@ class SceneParser {
         if (const toml::table* table = node.as_table())
             readTable(*table, "[" + section + "]", options, otherKeys, object, diagnostics_);
         else
-            diagnostics_.error(placeOf(node), fmt::format("write [{}] on a line of its own", section));
+            diagnostics_.error(placeOf(node), fmt::format("there is only one: write [{}]", section));
     }
 
     template <class F>
@@ -73,14 +74,22 @@ class SceneParser {
     void named(const toml::node& node, const std::string& section, F&& each) {
         const toml::table* group = node.as_table();
         if (group == nullptr) {
-            diagnostics_.error(placeOf(node), fmt::format("each needs a name: write [{}.NAME]", section));
+            diagnostics_.error(placeOf(node), fmt::format("each has a name: write [{}.NAME]", section));
             return;
         }
         for (const auto& [key, entry] : *group) {
-            if (const toml::table* table = entry.as_table())
+            if (key.str().empty())
+                diagnostics_.error(placeOf(key, entry), fmt::format("the {}'s name is empty", section));
+            else if (const toml::table* table = entry.as_table())
                 each(std::string(key.str()), *table);
+            else if (entry.is_array_of_tables())
+                diagnostics_.error(placeOf(key, entry),
+                                   fmt::format("there is only one: write [{}.{}]", section, key.str()));
             else
-                diagnostics_.error(placeOf(key), fmt::format("write [{}.{}]", section, key.str()));
+                diagnostics_.error(placeOf(key, entry),
+                                   fmt::format("'{0}' belongs to no {1}; each has a name: write "
+                                               "[{1}.NAME] above",
+                                               key.str(), section));
         }
     }
 
@@ -109,7 +118,9 @@ class SceneParser {
         const glm::vec3 forward = camera.target - camera.eye;
         if (glm::length(forward) < 1e-6f)
             diagnostics_.error(camera.where, "the camera's eye and target are the same point");
-        else if (glm::length(glm::cross(forward, camera.up)) < 1e-6f * glm::length(forward))
+        else if (glm::length(camera.up) < 1e-6f)
+            diagnostics_.error(placeOf(*table.get("up")), "up has no length");
+        else if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(camera.up))) < 1e-6f)
             diagnostics_.error(camera.where, "the camera looks along its up direction");
         scene_.cameras.push_back(camera);
     }
@@ -148,6 +159,8 @@ class SceneParser {
         builtIn(table, "plane", planeOptions(), shape.plane);
         builtIn(table, "torus", torusOptions(), shape.torus);
         builtIn(table, "cylinder", cylinderOptions(), shape.cylinder);
+        if (shape.plane && std::min(shape.plane->size.x, shape.plane->size.z) <= 0)
+            diagnostics_.error(placeOf(*table.get("plane")), "a plane needs a size along x and z");
         const int given = !shape.sdf.empty() + !shape.mesh.empty() + shape.box.has_value() +
                           shape.sphere.has_value() + shape.plane.has_value() +
                           shape.torus.has_value() + shape.cylinder.has_value();
@@ -178,6 +191,10 @@ class SceneParser {
         if (const toml::node* set = table.get("set"))
             readParameters(*set, "set", node.set, diagnostics_);
         if (const toml::node* parts = table.get("parts")) partMaterials(*parts, node);
+        for (const char* key : {"material", "parts", "set"})
+            if (const toml::node* unused = node.shape.empty() ? table.get(key) : nullptr)
+                diagnostics_.error(placeOf(*unused),
+                                   fmt::format("{} has no effect: the node has no shape", key));
         for (int axis = 0; axis < 3; ++axis)
             if (std::abs(node.scale[axis]) < 1e-6f && table.get("scale") != nullptr) {
                 diagnostics_.error(placeOf(*table.get("scale")), "scale must not be zero");
@@ -196,67 +213,7 @@ class SceneParser {
             Reference reference{{}, placeOf(value)};
             if (!readText(value, "parts", reference.name, diagnostics_)) continue;
             node.parts.emplace_back(std::string(key.str()), reference);
-            node.partPlaces.push_back(placeOf(key));
-        }
-    }
-
-    // ---- what one section says of another ----------------------------------------------------
-
-    template <class T>
-    std::vector<std::string> namesOf(const std::vector<T>& objects) {
-        std::vector<std::string> names;
-        for (const T& object : objects)
-            if (!object.name.empty()) names.push_back(object.name);
-        return names;
-    }
-
-    void checkName(const Reference& reference, const std::string& what,
-                   const std::vector<std::string>& names) {
-        if (reference.empty() || std::find(names.begin(), names.end(), reference.name) != names.end())
-            return;
-        diagnostics_.error(reference.where, fmt::format("no {} is named '{}'{}", what, reference.name,
-                                                        didYouMean(reference.name, names)));
-    }
-
-    template <class T>
-    void checkUnique(const std::vector<T>& objects, const std::string& what) {
-        std::set<std::string> seen;
-        for (const T& object : objects)
-            if (!object.name.empty() && !seen.insert(object.name).second)
-                diagnostics_.error(object.where, fmt::format("two {}s are named '{}'", what, object.name));
-    }
-
-    void checkReferences() {
-        const auto materials = namesOf(scene_.materials);
-        const auto shapes = namesOf(scene_.shapes);
-        const auto nodes = namesOf(scene_.nodes);
-        checkUnique(scene_.nodes, "node");
-        checkUnique(scene_.cameras, "camera");
-        checkUnique(scene_.lights, "light");
-        for (const Node& node : scene_.nodes) {
-            checkName(node.shape, "shape", shapes);
-            checkName(node.material, "material", materials);
-            checkName(node.parent, "node", nodes);
-            for (const auto& [part, material] : node.parts) checkName(material, "material", materials);
-        }
-        checkParents();
-    }
-
-    void checkParents() {
-        for (Node& node : scene_.nodes) {
-            const Node* at = &node;
-            for (size_t steps = 0; at != nullptr && !at->parent.empty(); ++steps) {
-                if (steps > scene_.nodes.size()) {
-                    diagnostics_.error(node.parent.where,
-                                       fmt::format("node '{}' is its own ancestor", node.name));
-                    node.parent = {};
-                    break;
-                }
-                const Node* next = nullptr;
-                for (const Node& other : scene_.nodes)
-                    if (other.name == at->parent.name) next = &other;
-                at = next;
-            }
+            node.partPlaces.push_back(placeOf(key, value));
         }
     }
 
@@ -274,7 +231,14 @@ Scene parseScene(std::string_view text, const std::string& file,
     std::optional<toml::table> document = parseDocument(text, file, diagnostics);
     if (!document) return scene;
     for (const std::string& assignment : overrides) applyOverride(*document, assignment, diagnostics);
-    SceneParser(scene, diagnostics).parse(*document);
+    // The document gives its keys by the alphabet; people read errors from the top of the file.
+    Diagnostics found;
+    SceneParser(scene, found).parse(*document);
+    std::vector<Diagnostic> sorted = found.list();
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
+        return std::tie(a.where.line, a.where.column) < std::tie(b.where.line, b.where.column);
+    });
+    for (Diagnostic& diagnostic : sorted) diagnostics.add(std::move(diagnostic));
     if (scene.cameras.empty()) {
         Camera camera;
         camera.name = "default";

@@ -8,81 +8,125 @@
 namespace vitrine {
 namespace {
 
+/// What to write for an option, and what holds if it is not written.
 template <class T>
 struct Describe {
     const T& defaults;
+    Range range;
+    using Texts = std::pair<std::string, std::string>;
 
-    std::pair<std::string, std::string> operator()(float T::*m) const {
-        return {"number", fmt::format("{}", defaults.*m)};
+    Texts operator()(float T::*m) const {
+        // A default that may not be written means "not given".
+        const bool given = defaults.*m >= range.minimum && defaults.*m <= range.maximum;
+        return {"number", given ? fmt::format("{}", defaults.*m) : ""};
     }
-    std::pair<std::string, std::string> operator()(int T::*m) const {
-        return {"whole number", fmt::format("{}", defaults.*m)};
+    Texts operator()(int T::*m) const { return {"whole number", fmt::format("{}", defaults.*m)}; }
+    Texts operator()(bool T::*m) const {
+        return {"`true` or `false`", fmt::format("`{}`", defaults.*m)};
     }
-    std::pair<std::string, std::string> operator()(bool T::*m) const {
-        return {"true or false", fmt::format("{}", defaults.*m)};
+    Texts operator()(glm::vec3 T::*m) const { return {"`[x, y, z]`", vector(defaults.*m)}; }
+    Texts operator()(Color T::*m) const { return {"colour", vector((defaults.*m).rgb)}; }
+    Texts operator()(std::string T::*) const { return {"text", ""}; }
+    Texts operator()(Reference T::*) const { return {"name", ""}; }
+    Texts operator()(const ScaleMember<T>& m) const {
+        return {"number or `[x, y, z]`", vector(defaults.*m.member)};
     }
-    std::pair<std::string, std::string> operator()(glm::vec3 T::*m) const {
-        return {"[x, y, z]", vector(defaults.*m)};
+    Texts operator()(const ChoiceMember<T>& m) const {
+        return {fmt::format("`\"{}\"`", fmt::join(m.words, "\"`, `\"")),
+                fmt::format("`\"{}\"`", m.words[static_cast<size_t>(m.get(defaults))])};
     }
-    std::pair<std::string, std::string> operator()(Color T::*m) const {
-        return {"colour", vector((defaults.*m).rgb)};
+    static std::string vector(const glm::vec3& v) {
+        return fmt::format("`[{}, {}, {}]`", v.x, v.y, v.z);
     }
-    std::pair<std::string, std::string> operator()(std::string T::*) const { return {"text", ""}; }
-    std::pair<std::string, std::string> operator()(Reference T::*) const { return {"name", ""}; }
-    std::pair<std::string, std::string> operator()(const ScaleMember<T>& m) const {
-        return {"number or [x, y, z]", vector(defaults.*m.member)};
-    }
-    std::pair<std::string, std::string> operator()(const ChoiceMember<T>& m) const {
-        return {fmt::format("\"{}\"", fmt::join(m.words, "\", \"")),
-                fmt::format("\"{}\"", m.words[static_cast<size_t>(m.get(defaults))])};
-    }
-    static std::string vector(const glm::vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 };
 
 std::string rangeOf(Range range) {
     if (range.minimum <= -1e9 && range.maximum >= 1e9) return "";
-    if (range.maximum >= 1e9) return fmt::format("from {}", range.minimum);
+    if (range.maximum >= 1e9) return fmt::format("at least {}", range.minimum);
     return fmt::format("{} to {}", range.minimum, range.maximum);
 }
 
 template <class T>
-void section(std::ostringstream& out, const std::string& title, const OptionTable<T>& options) {
-    out << "\n## `" << title << "`\n\n| key | value | default | range | meaning |\n|---|---|---|---|---|\n";
+void table(std::ostringstream& out, const std::string& title, const OptionTable<T>& options) {
+    out << title << "| key | value | default | range | meaning |\n|---|---|---|---|---|\n";
     const T defaults{};
     for (const Option<T>& option : options) {
-        const auto [type, value] = std::visit(Describe<T>{defaults}, option.member);
+        const auto [type, value] = std::visit(Describe<T>{defaults, option.range}, option.member);
         out << fmt::format("| `{}` | {} | {} | {} | {} |\n", option.key, type, value,
                            rangeOf(option.range), option.help);
     }
 }
 
+template <class T>
+void section(std::ostringstream& out, const std::string& title, const OptionTable<T>& options) {
+    table(out, "\n## `" + title + "`\n\n", options);
+}
+
+template <class T>
+void builtIn(std::ostringstream& out, const std::string& name, const OptionTable<T>& options) {
+    table(out, "\n### `" + name + " = { ... }`\n\n", options);
+}
+
+constexpr const char* kIntroduction = R"(# The scene format: every key
+
+A scene is a [TOML](https://toml.io) file. This is a whole one:
+
+```toml
+[shape.ball]
+sphere = { radius = 0.5 }
+
+[[node]]
+shape = "ball"
+```
+
+- Metres, seconds, degrees; +Y is up; right-handed.
+- A colour is linear, `[r, g, b]`, or sRGB, `"#rrggbb"`.
+- Names of files are relative to the scene's folder and may not lead out of it.
+- A name in double brackets, `[[node]]`, may be given several times. Nothing has to be given at all.
+- A key or section that is not listed here is an error, and so is a value out of its range.
+
+Every key can also be given on the command line. What is no TOML value is taken for text:
+
+```
+--set render.exposure=1             --set environment.sky=[0.1,0.2,0.3]
+--set camera.fov=40                 the first camera           --set camera.NAME.fov=40
+--set light.intensity=2             every light                --set light.NAME.type=point
+--set material.NAME.roughness=0.1   --set shape.NAME.sphere.radius=2
+--set node.NAME.at=[0,1,0]          --set node.NAME.set.PARAMETER=0.5
+```
+
+This page is generated from the tables that the parser reads (`src/scene/options.cpp`), and a test
+compares them.
+)";
+
 }  // namespace
 
 std::string sceneFormatReference() {
     std::ostringstream out;
-    out << "# The scene format: every key\n\n"
-           "Generated from the tables in `src/scene/options.cpp`; a test compares. Metres, seconds,\n"
-           "degrees, +Y up, right-handed. Colours are linear `[r, g, b]` or sRGB `\"#rrggbb\"`.\n"
-           "Every key can be given on the command line: `--set render.exposure=1`,\n"
-           "`--set node.NAME.at=[0,1,0]`, `--set node.NAME.set.PARAMETER=0.5`.\n";
+    out << kIntroduction;
     section(out, "[scene]", sceneOptions());
     section(out, "[render]", renderOptions());
     section(out, "[[camera]]", cameraOptions());
+    out << "\nThe first camera is used unless `--camera` names another.\n";
     section(out, "[environment]", environmentOptions());
     out << "\n`sky = COLOUR` is short for the same zenith, horizon and ground.\n";
     section(out, "[[light]]", lightOptions());
     section(out, "[material.NAME]", materialOptions());
-    out << "\n`set = { PARAMETER = VALUE }` gives values to the parameters of the snippet.\n";
+    out << "\n`set = { PARAMETER = VALUE }` gives values to the parameters of the snippet: "
+           "numbers,\n"
+           "`true` or `false`, vectors `[x, y]` to `[x, y, z, w]`, colours.\n";
     section(out, "[shape.NAME]", shapeOptions());
-    out << "\nInstead of `sdf` or `mesh`, one of the built-in shapes:\n";
-    section(out, "box = { ... }", boxOptions());
-    section(out, "sphere = { ... }", sphereOptions());
-    section(out, "plane = { ... }", planeOptions());
-    section(out, "torus = { ... }", torusOptions());
-    section(out, "cylinder = { ... }", cylinderOptions());
+    out << "\nA shape is one of `sdf`, `mesh` or a built-in solid, which is centred on the "
+           "origin:\n";
+    builtIn(out, "box", boxOptions());
+    builtIn(out, "sphere", sphereOptions());
+    builtIn(out, "plane", planeOptions());
+    builtIn(out, "torus", torusOptions());
+    builtIn(out, "cylinder", cylinderOptions());
     section(out, "[[node]]", nodeOptions());
-    out << "\n`set = { PARAMETER = VALUE }` gives values to the parameters of an SDF shape;\n"
-           "`parts = { PART = \"MATERIAL\" }` gives materials to its parts.\n";
+    out << "\nA node is scaled, then rotated, then moved; its parent's place comes on top.\n\n"
+           "`set = { PARAMETER = VALUE }` gives values to the parameters of an SDF shape, as for\n"
+           "materials. `parts = { PART = \"MATERIAL\" }` gives materials to its parts.\n";
     return out.str();
 }
 

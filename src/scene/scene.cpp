@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.hpp"
 
+#include <unordered_map>
+
 namespace vitrine {
 namespace {
 
@@ -15,19 +17,32 @@ glm::mat4 parentFromNode(const Node& node) {
 
 }  // namespace
 
-glm::mat4 worldFromNode(const Scene& scene, size_t index) {
-    glm::mat4 result = parentFromNode(scene.nodes[index]);
-    const Node* node = &scene.nodes[index];
-    // The parser has refused circles; the count guards against scenes made by code.
-    for (size_t steps = 0; !node->parent.empty() && steps < scene.nodes.size(); ++steps) {
-        const Node* parent = nullptr;
-        for (const Node& other : scene.nodes)
-            if (other.name == node->parent.name) parent = &other;
-        if (parent == nullptr) break;
-        result = parentFromNode(*parent) * result;
-        node = parent;
+std::vector<glm::mat4> worldFromNodes(const Scene& scene) {
+    std::unordered_map<std::string, size_t> indexOf;
+    for (size_t i = 0; i < scene.nodes.size(); ++i) indexOf[scene.nodes[i].name] = i;
+    indexOf.erase("");
+    std::vector<glm::mat4> world(scene.nodes.size(), glm::mat4(1));
+    std::vector<bool> visited(scene.nodes.size(), false);
+    for (size_t start = 0; start < scene.nodes.size(); ++start) {
+        // Up to the first ancestor that is known, then down again. The parser has refused circles;
+        // in a scene made by code a circle ends where it closes.
+        std::vector<size_t> chain;
+        glm::mat4 m(1);
+        for (size_t at = start;;) {
+            if (visited[at]) {
+                m = world[at];
+                break;
+            }
+            visited[at] = true;
+            chain.push_back(at);
+            const auto parent = indexOf.find(scene.nodes[at].parent.name);
+            if (parent == indexOf.end()) break;
+            at = parent->second;
+        }
+        for (size_t i = chain.size(); i-- > 0;)
+            world[chain[i]] = m = m * parentFromNode(scene.nodes[chain[i]]);
     }
-    return result;
+    return world;
 }
 
 }  // namespace vitrine

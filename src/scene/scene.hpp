@@ -63,9 +63,9 @@ struct Camera {
 
 /// Radiance by direction: zenith above, horizon, ground below, blended smoothly.
 struct Environment {
-    Color zenith{{0.35f, 0.5f, 0.8f}};
-    Color horizon{{0.75f, 0.8f, 0.85f}};
-    Color ground{{0.25f, 0.23f, 0.21f}};
+    Color zenith{{0.22f, 0.34f, 0.60f}};
+    Color horizon{{0.55f, 0.62f, 0.70f}};
+    Color ground{{0.20f, 0.19f, 0.18f}};
     float intensity = 1;
 };
 
@@ -152,7 +152,7 @@ struct Scene {
     std::vector<Node> nodes;
 };
 
-/// `worldFromObject` of nodes[index]: translation, rotation and scale of it and its ancestors.
-glm::mat4 worldFromNode(const Scene& scene, size_t index);
+/// `worldFromObject` of each node: translation, rotation and scale of it and its ancestors.
+std::vector<glm::mat4> worldFromNodes(const Scene& scene);
 
 }  // namespace vitrine

@@ -22,10 +22,14 @@ bool readHexColor(const std::string& text, glm::vec3& rgb) {
 
 bool inRange(double value, Range range) { return value >= range.minimum && value <= range.maximum; }
 
-std::string rangeText(Range range) {
-    if (range.maximum >= 1e9) return fmt::format("at least {}", range.minimum);
-    if (range.minimum <= -1e9) return fmt::format("at most {}", range.maximum);
-    return fmt::format("from {} to {}", range.minimum, range.maximum);
+/// What would have been right, for a value that is out of range. The limits of all numbers are
+/// only worth a word to those who meet them.
+std::string rangeText(Range range, double value) {
+    const Range all;
+    if (range.minimum > all.minimum && range.maximum < all.maximum)
+        return fmt::format("from {} to {}", range.minimum, range.maximum);
+    if (value < range.minimum) return fmt::format("at least {}", range.minimum);
+    return fmt::format("at most {}", range.maximum);
 }
 
 }  // namespace
@@ -43,7 +47,8 @@ bool readNumber(const toml::node& node, const std::string& what, Range range, do
     }
     if (!inRange(value, range)) {
         diagnostics.error(placeOf(node),
-                          fmt::format("{} is {}; it must be {}", what, value, rangeText(range)));
+                          fmt::format("{} is {}; it must be {}", what, value,
+                                      rangeText(range, value)));
         return false;
     }
     out = value;

@@ -43,7 +43,8 @@ void readOption(const toml::node& node, const Option<T>& option, T& object, Diag
             if (!readNumber(node, key, option.range, value, diagnostics)) return;
             if (value != static_cast<int>(value))
                 diagnostics.error(placeOf(node), fmt::format("{} must be a whole number", key));
-            object.*member = static_cast<int>(value);
+            else
+                object.*member = static_cast<int>(value);
         } else if constexpr (std::is_same_v<M, bool T::*>) {
             if (const auto value = node.value_exact<bool>())
                 object.*member = *value;
@@ -60,8 +61,10 @@ void readOption(const toml::node& node, const Option<T>& option, T& object, Diag
                 (object.*member).where = placeOf(node);
         } else if constexpr (std::is_same_v<M, ScaleMember<T>>) {
             double value = 0;
-            if (!node.is_number())
+            if (node.is_array() && node.as_array()->size() == 3)
                 readVector(node, key, option.range, object.*member.member, diagnostics);
+            else if (!node.is_number())
+                diagnostics.error(placeOf(node), fmt::format("{} must be a number or three", key));
             else if (readNumber(node, key, option.range, value, diagnostics))
                 object.*member.member = glm::vec3(static_cast<float>(value));
         } else {
@@ -95,9 +98,7 @@ void readTable(const toml::table& table, const std::string& section, const Optio
         std::vector<std::string> keys = otherKeys;
         if (std::find(keys.begin(), keys.end(), name) != keys.end()) continue;
         for (const Option<T>& option : options) keys.push_back(option.key);
-        // A key from the command line is named there in full.
-        const SourceLocation where = placeOf(node).line == 0 ? placeOf(node) : placeOf(key);
-        diagnostics.error(where,
+        diagnostics.error(placeOf(key, node),
                           fmt::format("unknown key '{}' in {}{}", name, section, didYouMean(name, keys)));
     }
 }

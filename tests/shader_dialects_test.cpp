@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Every shader entry, in every variant and dialect there is, is accepted by glslang: no GPU needed.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "app/session/session.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "frame/programs.hpp"
+
+namespace vitrine {
+namespace fs = std::filesystem;
+namespace {
+
+struct Target {
+    ShaderStage stage;
+    Dialect dialect;
+    const char* glslangStage;
+};
+
+constexpr Target kTargets[] = {{ShaderStage::kFragment, Dialect::kEs300, "frag"},
+                               {ShaderStage::kFragment, Dialect::kGl410, "frag"},
+                               {ShaderStage::kFragment, Dialect::kGl450, "frag"},
+                               {ShaderStage::kCompute, Dialect::kGl450, "comp"}};
+
+bool entryExists(const std::string& pass, ShaderStage stage) {
+    const std::string suffix = stage == ShaderStage::kCompute ? "comp" : "frag";
+    for (const EmbeddedShader& file : embeddedShaders())
+        if (file.name == fmt::format("entry/{}.{}.glsl", pass, suffix)) return true;
+    return false;
+}
+
+/// What glslang says; empty if it is content.
+std::string validate(const std::string& text, const char* stage, const fs::path& folder) {
+    const fs::path file = folder / (std::string("shader.") + stage);
+    writeFileAtomically(file, text);
+    const std::string command = fmt::format("glslangValidator -S {} '{}' 2>&1", stage, file.string());
+    FILE* pipe = ::popen(command.c_str(), "r");
+    std::string output;
+    char buffer[4096];
+    while (std::fgets(buffer, sizeof buffer, pipe) != nullptr) output += buffer;
+    return ::pclose(pipe) == 0 ? "" : output;
+}
+
+/// Snippets of real scenes, so that their renamed text is checked with ours.
+GeneratedShaders snippetsOfTheLessons() {
+    Diagnostics diagnostics;
+    std::vector<std::shared_ptr<const Snippet>> fields, materials;
+    for (const char* file : {"scenes/lesson-both.toml", "scenes/lesson-march.toml"}) {
+        const LoadedScene loaded = loadAll(file, {}, diagnostics);
+        for (const auto& field : loaded.assets.fields)
+            if (field != nullptr) fields.push_back(field);
+        for (const auto& material : loaded.assets.materials)
+            if (material != nullptr) materials.push_back(material);
+    }
+    EXPECT_EQ(diagnostics.text(), "");
+    EXPECT_EQ(fields.size(), 3u);
+    EXPECT_EQ(materials.size(), 1u);
+    return generateShaders(fields, materials);
+}
+
+class ShaderDialects : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
+            GTEST_SKIP() << "glslangValidator is not installed";
+        std::string name = fs::temp_directory_path() / "vitrine-shader-XXXXXX";
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder = name;
+    }
+    void TearDown() override {
+        if (!folder.empty()) fs::remove_all(folder);
+    }
+    fs::path folder;
+};
+
+}  // namespace
+
+TEST_F(ShaderDialects, AllVariantsAreAccepted) {
+    const GeneratedShaders generated = snippetsOfTheLessons();
+    int compiled = 0;
+    for (const PassShader& pass : passShaders())
+        for (const Target& target : kTargets) {
+            if (!entryExists(pass.name, target.stage)) continue;
+            for (const ProgramFeatures& features :
+                 {ProgramFeatures{true, true, false}, ProgramFeatures{true, true, true},
+                  ProgramFeatures{true, false, false}, ProgramFeatures{false, true, false}}) {
+                if (!pass.traces && (!features.meshes || !features.fields || features.counters)) continue;
+                const ShaderKey key = shaderKey(pass.name, features, target.stage, target.dialect);
+                const std::string log = validate(assembleShader(key, generated.includes).text,
+                                                 target.glslangStage, folder);
+                EXPECT_EQ(log, "") << key.text() << " for dialect " << static_cast<int>(target.dialect);
+                ++compiled;
+            }
+        }
+    EXPECT_GT(compiled, 60);
+}
+
+TEST_F(ShaderDialects, AMistakeIsNoticed) {
+    GeneratedShaders generated = generateShaders({}, {});
+    generated.includes["generated/field.glsl"] += "float planted() { return 1 + bitCount(3.0); }\n";
+    const ShaderKey key = shaderKey("visibility", {}, ShaderStage::kFragment, Dialect::kEs300);
+    EXPECT_NE(validate(assembleShader(key, generated.includes).text, "frag", folder), "");
+}
+
+TEST(ShaderEntries, EveryEntryBelongsToAPass) {
+    std::set<std::string> known{"fullscreen"};
+    for (const PassShader& pass : passShaders()) known.insert(pass.name);
+    for (const EmbeddedShader& file : embeddedShaders()) {
+        if (!startsWith(file.name, "entry/")) continue;
+        const std::string_view name = file.name.substr(6);
+        EXPECT_EQ(known.count(std::string(name.substr(0, name.find('.')))), 1u) << file.name;
+    }
+}
+
+}  // namespace vitrine
