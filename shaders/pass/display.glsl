@@ -12,7 +12,11 @@ bool isLight(int view) {
 }
 
 vec4 displayPass(ivec2 pixel) {
-    vec3 c = texelFetch(mean, pixel, 0).rgb;
+    int size = int(frame.jitter.z);
+    vec3 c = vec3(0.0);
+    for (int i = 0; i < size * size; i++)
+        c += texelFetch(mean, pixel * size + ivec2(i % size, i / size), 0).rgb;
+    c /= float(size * size);
     int view = frame.image.w;
     if (view == VITRINE_VIEW_ALBEDO) return vec4(srgbFromLinear(c), 1.0);
     if (!isLight(view)) return vec4(c, 1.0);

@@ -20,15 +20,7 @@ struct Path {
 const int kDimensionAmbient = 16;  // and 15 more
 const int kDimensionBounce = 64;   // and one a bounce
 
-// One sample looks through the middle of the pixel; more spread by a tent filter, two pixels wide.
-vec2 pixelPosition(ivec2 pixel) {
-    vec2 offset = vec2(0.0);
-    if (frame.sampling.y > 1) {
-        vec2 u = 2.0 * r2(frame.sampling.x) - 1.0;
-        offset = sign(u) * (1.0 - sqrt(1.0 - abs(u)));
-    }
-    return vec2(pixel) + 0.5 + offset;
-}
+vec2 pixelPosition(ivec2 pixel) { return vec2(pixel) + 0.5 + frame.jitter.xy; }
 
 Path loadPath(ivec2 pixel) {
     if (frame.sampling.z == 0) return Path(cameraRay(pixelPosition(pixel)), vec3(1.0), 0.0);

@@ -8,6 +8,7 @@ vec4 cameraUp;       // xyz: half of the image plane's height at distance 1
 vec4 background[3];  // rgb radiance towards zenith, horizon and nadir
 vec4 shading;        // x: time, s; y: throughput below which a path ends; z: AO amount; w: AO reach, m
 vec4 display;        // x: exposure factor; y: gamma; z: depth view's scale, m; w: unused
+vec4 jitter;         // x, y: offset of the sample from the pixel's centre, pixels; z: supersamples along an edge of a pixel; w: 0
 ivec4 image;         // x, y: size in pixels; z: tone map; w: view
 ivec4 sampling;      // x: sample; y: samples in all; z: bounce (0: camera ray); w: seed
 ivec4 tables;        // first texel in sceneTables of x: instances; y: materials; z: lights; w: parameters

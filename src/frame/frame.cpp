@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/frame.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -12,17 +14,22 @@ Frame::Frame(const Context& context, const PackedScene& scene, Backend backend, 
     : context_(context.info(),
                ProgramSet(context.info(), backend, scene.shaders,
                           {scene.hasMeshes, scene.hasFields, counters}),
-               counters) {
+               counters),
+      rasterPossible_(context.info().clipControl),
+      maxSide_(context.info().maxTextureSize) {
     update(scene);
 }
 
 void Frame::update(const PackedScene& scene) {
     context_.scene.upload(scene);
     context_.block = scene.block;
+    instances_ = scene.instances;
+    fieldRoot_ = scene.fieldRoot;
 }
 
 void Frame::begin(const FrameRequest& request) {
     const bool resized = request.width != request_.width || request.height != request_.height ||
+                         request.ssaa != request_.ssaa ||
                          !picture_.valid();
     request_ = request;
     sample_ = 0;
@@ -31,7 +38,11 @@ void Frame::begin(const FrameRequest& request) {
     context_.timing = context_.counting;
 
     FrameBlock& block = context_.block;
-    packCamera(request.camera, request.width, request.height, block);
+    const int width = request.width * request.ssaa, height = request.height * request.ssaa;
+    if (std::max(width, height) > maxSide_)
+        throw MachineError(fmt::format("{}x{} pixels are drawn with render.ssaa = {}; this driver "
+                                       "allows {} a side", width, height, request.ssaa, maxSide_));
+    packCamera(request.camera, width, height, block);
     block.shading.x = request.time;
     block.image.w = static_cast<int>(request.view);
     block.sampling.y = request.samples;
@@ -39,19 +50,22 @@ void Frame::begin(const FrameRequest& request) {
     // Enough rays for ambient occlusion that a picture of few samples is not speckled.
     block.display.w = static_cast<float>(std::clamp(16 / request.samples, 1, 16));
     if (!resized) return;
-    const auto image = [&](TexelFormat f) { return Texture(request.width, request.height, f); };
-    for (PathImages& path : paths_) path.allocate(request.width, request.height);
+    const auto image = [&](TexelFormat f) { return Texture(width, height, f); };
+    for (PathImages& path : paths_) path.allocate(width, height);
     for (Texture& t : radiance_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : mean_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : context_.counters) t = image(TexelFormat::kRgba32ui);
-    picture_ = image(TexelFormat::kRgba8);
+    picture_ = Texture(request.width, request.height, TexelFormat::kRgba8);
+    depth_ = DepthImage(width, height);
     black_ = image(TexelFormat::kRgba32f);
     black_.clear();
 }
 
 void Frame::drawSample() {
     context_.block.sampling.x = sample_;
-    visibilityPass(context_, paths_[0].records);
+    const glm::vec2 jitter = sampleOffset(sample_, request_.samples);
+    context_.block.jitter = glm::vec4(jitter, request_.ssaa, 0);
+    findFirstHits();
     if (!showsRecords(request_.view)) followPaths();
     if (showsRecords(request_.view) || showsCounters(request_.view)) {
         // The records of the camera rays are gone after the bounces; counters need no records.
@@ -61,6 +75,22 @@ void Frame::drawSample() {
     std::swap(mean_[0], mean_[1]);
     if (context_.counting) addCounts();
     ++sample_;
+}
+
+void Frame::findFirstHits() {
+    if (request_.primary == Primary::kTrace || !rasterPossible_) {
+        visibilityPass(context_, paths_[0].records);
+        return;
+    }
+    const glm::mat4 clipFromWorld = packProjection(context_.block);
+    std::vector<RasterDraw> draws;
+    for (size_t i = 0; i < instances_.size(); ++i)
+        if (!instances_[i].field)
+            draws.push_back({clipFromWorld * instances_[i].worldFromObject, static_cast<int>(i),
+                             instances_[i].firstTriangle, static_cast<int>(instances_[i].triangles)});
+    const bool fields = fieldRoot_ >= 0;
+    rasterPass(context_, draws, depth_, paths_[fields ? 1 : 0].records);
+    if (fields) visibilityFieldsPass(context_, fieldRoot_, paths_[1].records, paths_[0].records);
 }
 
 /// Light at the first hits, then bounce by bounce. Leaves the result in radiance_[0].
@@ -80,7 +110,11 @@ void Frame::followPaths() {
 }
 
 ImageRgba8 Frame::picture() {
+    const glm::ivec4 drawn = context_.block.image;
+    context_.block.image.x = request_.width;
+    context_.block.image.y = request_.height;
     displayPass(context_, mean_[0], picture_);
+    context_.block.image = drawn;
     const std::vector<uint8_t> bytes = picture_.readBytes();
     ImageRgba8 image(request_.width, request_.height);
     const size_t row = static_cast<size_t>(request_.width) * 4;

@@ -11,14 +11,19 @@
 
 namespace vitrine {
 
+/// Who finds what the camera sees.
+enum class Primary { kRaster, kTrace };
+
 struct FrameRequest {
     int width = 640, height = 400;
+    int ssaa = 1;  ///< what is drawn is this many times as wide and high, then averaged
     Camera camera;
     float time = 0;  ///< seconds
     int samples = 1;
     int bounces = 2;
     int seed = 0;
     View view = View::kColor;
+    Primary primary = Primary::kRaster;
 };
 
 /// Sums over all samples drawn since begin(). Ray counts need counters.
@@ -49,6 +54,7 @@ class Frame {
     [[nodiscard]] double compileSeconds() const { return context_.programs.compileSeconds(); }
 
   private:
+    void findFirstHits();
     void followPaths();
     void addCounts();
 
@@ -58,6 +64,11 @@ class Frame {
     std::array<PathImages, 2> paths_;
     std::array<Texture, 2> radiance_, mean_;
     Texture black_, picture_;
+    DepthImage depth_;
+    std::vector<PackedInstance> instances_;
+    int fieldRoot_ = -1;
+    bool rasterPossible_;
+    int maxSide_;
     FrameStatistics statistics_;
 };
 

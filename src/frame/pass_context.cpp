@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frame/pass_context.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace vitrine {
@@ -16,10 +15,7 @@ void PathImages::allocate(int width, int height) {
 void PassContext::run(const std::string& pass, PassImages images) {
     const Program& program = programs.get(pass);
     images.buffers = scene.bindings();
-    const auto& shaders = passShaders();
-    const bool counts = counting && std::any_of(shaders.begin(), shaders.end(), [&](const PassShader& s) {
-                            return s.name == pass && s.traces;
-                        });
+    const bool counts = counting && findPass(pass).traces;
     if (counts) {
         images.inputs.emplace_back("countersBefore", &counters[0]);
         images.outputs.emplace_back("outCounters", &counters[1]);
@@ -29,6 +25,19 @@ void PassContext::run(const std::string& pass, PassImages images) {
     runner_.run(program, uniforms_, images);
     if (timing) timer_.end();
     if (counts) std::swap(counters[0], counters[1]);
+}
+
+void PassContext::draw(const std::string& pass, const RasterImages& images,
+                       std::span<const RasterDraw> draws) {
+    const Program& program = programs.get(pass);
+    RasterImages all = images;
+    all.buffers = scene.bindings();
+    uniforms_.upload(std::as_bytes(std::span(&block, 1)));
+    if (timing) timer_.begin(pass);
+    rasterRunner_.run(program, uniforms_, all, VITRINE_RECORD_MISS, draws);
+    if (timing) timer_.end();
+    // The passes that follow add to what this one counted: nothing.
+    if (counting) counters[0].clear();
 }
 
 }  // namespace vitrine

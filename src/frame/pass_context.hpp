@@ -7,6 +7,7 @@
 
 #include "frame/gpu_scene.hpp"
 #include "frame/programs.hpp"
+#include "gpu/raster_pass.hpp"
 #include "gpu/timer.hpp"
 
 namespace vitrine {
@@ -25,6 +26,9 @@ class PassContext {
     /// Runs the pass of this name over all pixels. The scene's buffers are always there for it.
     void run(const std::string& pass, PassImages images);
 
+    /// Draws triangles into the records.
+    void draw(const std::string& pass, const RasterImages& images, std::span<const RasterDraw> draws);
+
     FrameBlock block{};
     GpuScene scene;
     ProgramSet programs;
@@ -35,6 +39,7 @@ class PassContext {
 
   private:
     PassRunner runner_;
+    RasterRunner rasterRunner_;
     UniformBlock uniforms_;
     PassTimer timer_;
 };

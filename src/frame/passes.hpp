@@ -10,6 +10,12 @@ namespace vitrine {
 /// Camera rays: the first hits.
 void visibilityPass(PassContext& context, Texture& records);
 
+/// Camera rays by rasterising the meshes, then tracing the fields in front of them.
+void rasterPass(PassContext& context, std::span<const RasterDraw> draws, const DepthImage& depth,
+                Texture& records);
+void visibilityFieldsPass(PassContext& context, int fieldRoot, const Texture& meshes,
+                          Texture& records);
+
 /// Light that leaves the hits along their paths, added to `before`.
 void lightPass(PassContext& context, const PathImages& path, const Texture& before, Texture& after);
 

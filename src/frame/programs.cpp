@@ -30,7 +30,9 @@ std::string describeOwnError(const ShaderError& error) {
 }  // namespace
 
 const std::vector<PassShader>& passShaders() {
-    static const std::vector<PassShader> passes{{"visibility", true}, {"light", true},
+    static const std::vector<PassShader> passes{{"raster", false, true},
+                                                {"visibility", true}, {"visibility_fields", true},
+                                                {"light", true},
                                                 {"bounce", true},     {"accumulate", false},
                                                 {"display", false},   {"view", false},
                                                 {"check_snippet", false},
@@ -38,16 +40,22 @@ const std::vector<PassShader>& passShaders() {
     return passes;
 }
 
+const PassShader& findPass(const std::string& name) {
+    const auto& passes = passShaders();
+    const auto found = std::find_if(passes.begin(), passes.end(),
+                                    [&](const PassShader& p) { return p.name == name; });
+    if (found == passes.end()) throw std::logic_error("there is no pass " + name);
+    return *found;
+}
+
 ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, ShaderStage stage,
                     Dialect dialect) {
     ShaderKey key{pass, stage, dialect, {}};
-    const auto& passes = passShaders();
-    const auto found = std::find_if(passes.begin(), passes.end(),
-                                    [&](const PassShader& p) { return p.name == pass; });
-    const bool traces = found != passes.end() && found->traces;
+    const bool traces = findPass(pass).traces;
     key.defines["COUNTERS"] = traces && features.counters ? 1 : 0;
     if (traces) {
-        key.defines["HAS_MESHES"] = features.meshes ? 1 : 0;
+        const bool meshes = features.meshes && pass != "visibility_fields";
+        key.defines["HAS_MESHES"] = meshes ? 1 : 0;
         key.defines["HAS_FIELDS"] = features.fields ? 1 : 0;
     }
     return key;
@@ -65,11 +73,13 @@ const Program& ProgramSet::get(const std::string& pass) {
     if (known != programs_.end()) return known->second;
     const auto start = std::chrono::steady_clock::now();
     const Dialect dialect = gpu_.glslVersion >= 450 ? Dialect::kGl450 : Dialect::kGl410;
-    const bool compute = backend_ == Backend::kCompute;
+    const bool raster = findPass(pass).raster;
+    const bool compute = backend_ == Backend::kCompute && !raster;
     const ShaderKey key = shaderKey(
         pass, features_, compute ? ShaderStage::kCompute : ShaderStage::kFragment, dialect);
     try {
-        Program program = compute ? Program::compute(key, shaders_.includes)
+        Program program = raster    ? Program::raster(key, shaders_.includes)
+                          : compute ? Program::compute(key, shaders_.includes)
                                   : Program::fragment(key, shaders_.includes);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         compileSeconds_ += elapsed.count();

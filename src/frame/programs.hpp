@@ -25,12 +25,15 @@ struct ProgramFeatures {
 /// A pass's shader under the features that concern it, for any stage and dialect.
 ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, ShaderStage stage,
                     Dialect dialect);
-/// Names of the passes' shaders, and whether a pass traces rays (and so has variants).
+/// Names of the passes' shaders, whether a pass traces rays (and so has variants), and whether it
+/// draws triangles instead of covering the picture.
 struct PassShader {
     std::string name;
-    bool traces;
+    bool traces = false;
+    bool raster = false;
 };
 const std::vector<PassShader>& passShaders();
+const PassShader& findPass(const std::string& name);
 
 class ProgramSet {
   public:

@@ -108,6 +108,7 @@ void Context::queryInfo() {
     info_.version = glText(GL_VERSION);
     const int version = epoxy_gl_version();
     info_.compute = version >= 43;
+    info_.clipControl = version >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control");
     info_.glslVersion = version >= 45 ? 450 : 410;
     for (const std::string_view name : {"llvmpipe", "softpipe", "SwiftShader"})
         if (info_.renderer.find(name) != std::string::npos) info_.software = true;

@@ -15,6 +15,7 @@ struct GpuInfo {
     int glslVersion = 450;       ///< 450 or 410
     bool compute = true;         ///< compute shaders exist (GL 4.3)
     bool software = false;       ///< the "GPU" is this machine's CPU
+    bool clipControl = true;     ///< reversed depth is possible (GL 4.5)
     int maxTextureBufferTexels = 0;
     int maxTextureSize = 0;
 };

@@ -54,6 +54,17 @@ Program Program::fragment(const ShaderKey& key, const GeneratedIncludes& generat
     return program;
 }
 
+Program Program::raster(const ShaderKey& key, const GeneratedIncludes& generated) {
+    Program program;
+    program.id_ = glCreateProgram();
+    ShaderKey vertex = key;
+    vertex.stage = ShaderStage::kVertex;
+    attach(program.id_, GL_VERTEX_SHADER, vertex, generated);
+    attach(program.id_, GL_FRAGMENT_SHADER, key, generated);
+    program.link(key.text());
+    return program;
+}
+
 Program Program::compute(const ShaderKey& key, const GeneratedIncludes& generated) {
     Program program;
     program.id_ = glCreateProgram();

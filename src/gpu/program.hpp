@@ -27,6 +27,9 @@ class Program {
     Program() = default;
     /// Compiles and links a full-screen fragment program. Throws ShaderError.
     static Program fragment(const ShaderKey& key, const GeneratedIncludes& generated);
+    /// Compiles and links a program that draws triangles: entry/NAME.vert and .frag. Throws
+    /// ShaderError.
+    static Program raster(const ShaderKey& key, const GeneratedIncludes& generated);
     /// Compiles and links a compute program. Throws ShaderError.
     static Program compute(const ShaderKey& key, const GeneratedIncludes& generated);
     ~Program();

@@ -113,6 +113,27 @@ void Texture::clear() {
     glDeleteFramebuffers(1, &framebuffer);
 }
 
+DepthImage::DepthImage(int width, int height) {
+    glGenTextures(1, &id_);
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, width, height, 0, GL_DEPTH_COMPONENT,
+                 GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    checkGl("allocating a depth image");
+}
+
+DepthImage::~DepthImage() {
+    if (id_ != 0) glDeleteTextures(1, &id_);
+}
+
+DepthImage::DepthImage(DepthImage&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+
+DepthImage& DepthImage::operator=(DepthImage&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+}
+
 TexelBuffer::TexelBuffer(TexelFormat format) : format_(format) {
     glGenBuffers(1, &buffer_);
     glGenTextures(1, &texture_);

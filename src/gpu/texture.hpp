@@ -41,6 +41,20 @@ class Texture {
     TexelFormat format_ = TexelFormat::kRgba8;
 };
 
+/// A 32-bit float depth buffer.
+class DepthImage {
+  public:
+    DepthImage() = default;
+    DepthImage(int width, int height);
+    ~DepthImage();
+    DepthImage(DepthImage&& other) noexcept;
+    DepthImage& operator=(DepthImage&& other) noexcept;
+    [[nodiscard]] unsigned id() const { return id_; }
+
+  private:
+    unsigned id_ = 0;
+};
+
 /// A read-only array of RGBA32F or RGBA32UI texels (`samplerBuffer`, `usamplerBuffer`).
 class TexelBuffer {
   public:

@@ -131,9 +131,9 @@ uint32_t BvhLayout::addMesh(const Bvh& bvh, std::span<const glm::vec3> positions
     });
 }
 
-uint32_t BvhLayout::addInstances(const Bvh& bvh) {
-    return add(bvh, instanceStack_, [](uint32_t item, bool) {
-        return std::array<glm::uvec4, VITRINE_SLOT_TEXELS>{glm::uvec4(item, 0u, 0u, 0u)};
+uint32_t BvhLayout::addInstances(const Bvh& bvh, std::span<const uint32_t> instances) {
+    return add(bvh, instanceStack_, [&](uint32_t item, bool) {
+        return std::array<glm::uvec4, VITRINE_SLOT_TEXELS>{glm::uvec4(instances[item], 0u, 0u, 0u)};
     });
 }
 

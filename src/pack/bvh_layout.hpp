@@ -19,8 +19,8 @@ class BvhLayout {
     /// Appends the tree of a mesh. Returns its root slot.
     uint32_t addMesh(const Bvh& bvh, std::span<const glm::vec3> positions,
                      std::span<const glm::uvec3> triangles);
-    /// Appends the upper level. Its items are instance numbers. Returns its root slot.
-    uint32_t addInstances(const Bvh& bvh);
+    /// Appends an upper level; `instances` are the numbers of the tree's items. Returns its root slot.
+    uint32_t addInstances(const Bvh& bvh, std::span<const uint32_t> instances);
 
     [[nodiscard]] const std::vector<glm::uvec4>& texels() const { return texels_; }
     /// Most stack entries that a ray can need, both levels together.

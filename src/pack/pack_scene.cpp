@@ -161,7 +161,6 @@ class Packer {
     }
 
     void packInstances() {
-        std::vector<Aabb> boxes;
         const std::vector<glm::mat4> world = worldFromNodes(scene_);
         for (size_t i = 0; i < scene_.nodes.size(); ++i) {
             const Node& node = scene_.nodes[i];
@@ -172,12 +171,10 @@ class Packer {
             if (field == nullptr && !node.set.empty() && scene_.shapes[static_cast<size_t>(shape)].sdf.empty())
                 diagnostics_.error(node.set[0].where, "only an SDF shape has parameters to set");
             if ((mesh == nullptr && field == nullptr) || !node.visible) continue;
-            addInstance(node, world[i], mesh, field, boxes);
+            addInstance(node, world[i], mesh, field);
         }
-        BuildOptions options;
-        options.maxLeafSize = 1;  // the shader takes a leaf of the upper level for one instance
-        const int root = boxes.empty() ? -1 : static_cast<int>(layout_.addInstances(buildBvh(boxes, options)));
-        out_.block.counts.z = root;
+        out_.block.counts.z = addUpperLevel(false);
+        out_.fieldRoot = out_.hasMeshes ? addUpperLevel(true) : out_.block.counts.z;
         out_.slots = layout_.texels();
         out_.stackBound = layout_.stackBound();
         if (out_.stackBound > VITRINE_STACK_SIZE)
@@ -187,16 +184,33 @@ class Packer {
                                            out_.stackBound, VITRINE_STACK_SIZE));
     }
 
+    /// The tree over all instances, or over the fields alone. -1 if there are none.
+    int addUpperLevel(bool fieldsOnly) {
+        std::vector<Aabb> boxes;
+        std::vector<uint32_t> numbers;
+        for (size_t i = 0; i < out_.instances.size(); ++i) {
+            if (fieldsOnly && !out_.instances[i].field) continue;
+            boxes.push_back(out_.instances[i].worldBox);
+            numbers.push_back(static_cast<uint32_t>(i));
+        }
+        if (boxes.empty()) return -1;
+        BuildOptions options;
+        options.maxLeafSize = 1;  // the shader takes a leaf of the upper level for one instance
+        return static_cast<int>(layout_.addInstances(buildBvh(boxes, options), numbers));
+    }
+
     void addInstance(const Node& node, const glm::mat4& worldFromObject,
                      const std::shared_ptr<const MeshAsset>& mesh,
-                     const std::shared_ptr<const Snippet>& field, std::vector<Aabb>& boxes) {
+                     const std::shared_ptr<const Snippet>& field) {
         const Aabb box = mesh != nullptr ? mesh->bvh.box() : *field->bounds;
         float stepScale = 1, precision = 0;
+        int firstTriangle = 0;
         glm::vec4 indices;
         if (mesh != nullptr) {
             const PackedMesh& packed = packMesh(mesh);
+            firstTriangle = packed.firstTriangle;
             indices = texel(VITRINE_KIND_MESH, static_cast<int>(packed.root),
-                            packPartMaterials(node, mesh->mesh.partNames), packed.firstTriangle);
+                            packPartMaterials(node, mesh->mesh.partNames), firstTriangle);
             out_.hasMeshes = true;
             out_.triangleCount += mesh->mesh.triangles.size();
         } else {
@@ -215,9 +229,10 @@ class Packer {
         instances_.emplace_back(box.min, stepScale);
         instances_.emplace_back(box.max, precision);
 
-        boxes.push_back(instanceBox(box, worldFromObject));
-        out_.worldBox.grow(boxes.back());
-        out_.instances.push_back({node.name, worldFromObject, boxes.back(), field != nullptr,
+        const Aabb worldBox = instanceBox(box, worldFromObject);
+        out_.worldBox.grow(worldBox);
+        out_.instances.push_back({node.name, worldFromObject, worldBox, field != nullptr,
+                                  firstTriangle,
                                   mesh != nullptr ? mesh->mesh.triangles.size() : 0});
     }
 

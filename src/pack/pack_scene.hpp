@@ -17,6 +17,7 @@ struct PackedInstance {
     glm::mat4 worldFromObject{1};
     Aabb worldBox;
     bool field = false;
+    int firstTriangle = 0;  ///< of a mesh, in PackedScene::triangles
     size_t triangles = 0;
 };
 
@@ -33,6 +34,7 @@ struct PackedScene {
     std::vector<PackedInstance> instances;
     std::vector<std::string> materialNames;
     Aabb worldBox;
+    int fieldRoot = -1;  ///< root slot of a tree over the fields alone; -1 if there are none
     int stackBound = 0;
     size_t triangleCount = 0;  ///< instances counted each
 };

@@ -31,6 +31,7 @@ const OptionTable<RenderSettings>& renderOptions() {
     static const OptionTable<R> table{
         {"bounces", &R::bounces, {0, 32}, "mirror reflections followed after the camera ray"},
         {"samples", &R::samples, {1, 65536}, "samples a pixel (`--spp` wins)"},
+        {"ssaa", &R::ssaa, {1, 4}, "supersampling: 2 draws 2 x 2 and averages"},
         {"exposure", &R::exposure, {-20, 20}, "stops; +1 doubles the light"},
         {"gamma", &R::gamma, {0.1, 10}, "extra gamma on top of sRGB; above 1 is brighter"},
         {"tone_map", choice<R>({"none", "filmic"}, &R::toneMap), kNone,

@@ -39,6 +39,7 @@ enum class ToneMap { kNone, kFilmic };
 struct RenderSettings {
     int bounces = 2;
     int samples = 1;
+    int ssaa = 1;
     float exposure = 0;  ///< stops
     float gamma = 1;
     ToneMap toneMap = ToneMap::kFilmic;

@@ -35,6 +35,9 @@ void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen)
     c->add_option("--backend", o.backend, "fragment or compute shaders")
         ->check(CLI::IsMember({"auto", "fragment", "compute"}))
         ->capture_default_str();
+    c->add_option("--primary", o.primary, "who finds what the camera sees")
+        ->check(CLI::IsMember({"raster", "trace"}))
+        ->capture_default_str();
     c->add_option("--seed", o.seed, "start of the random numbers")->check(CLI::Range(0, 2147483647));
     c->add_option("--json", o.json, "write numbers about the rendering to this file, or - ");
     addOverrides(*c, o.overrides);

@@ -67,6 +67,7 @@ int render(const RenderOptions& options) {
     picture.samples = options.samples;
     picture.seed = options.seed;
     picture.view = parseView(options.view);
+    picture.primary = options.primary == "trace" ? Primary::kTrace : Primary::kRaster;
     const bool several = !options.frames.empty();
     const FrameRange range = several ? parseFrames(options.frames) : FrameRange{};
     if (several) (void)frameFileName(options.output, range.first);

@@ -53,8 +53,10 @@ ImageRgba8 Renderer::draw(const PictureRequest& request,
     frame.time = request.time;
     frame.samples = request.samples.value_or(settings.samples);
     frame.bounces = settings.bounces;
+    frame.ssaa = settings.ssaa;
     frame.seed = request.seed.value_or(settings.seed);
     frame.view = request.view;
+    frame.primary = request.primary;
     try {
         frame_->begin(frame);
         for (int i = 0; i < frame.samples; ++i) {

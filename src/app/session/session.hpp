@@ -37,6 +37,7 @@ struct PictureRequest {
     float time = 0;
     std::optional<int> samples, seed;
     View view = View::kColor;
+    Primary primary = Primary::kRaster;
 };
 
 /// Draws pictures of one scene without a display.

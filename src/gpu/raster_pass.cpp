@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/raster_pass.hpp"
+
+#include <epoxy/gl.h>
+
+#include "gpu/context.hpp"
+
+namespace vitrine {
+
+RasterRunner::RasterRunner() {
+    glGenFramebuffers(1, &framebuffer_);
+    glGenVertexArrays(1, &vertexArray_);
+}
+
+RasterRunner::~RasterRunner() {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteVertexArrays(1, &vertexArray_);
+}
+
+void RasterRunner::run(const Program& program, const UniformBlock& block,
+                       const RasterImages& images, uint32_t clearTo,
+                       std::span<const RasterDraw> draws) {
+    glUseProgram(program.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, block.id());
+    for (const auto& [name, buffer] : images.buffers) {
+        const int unit = program.unit(name);
+        if (unit < 0) continue;
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_BUFFER, buffer->id());
+    }
+    glActiveTexture(GL_TEXTURE0);
+
+    const Texture& target = *images.output.second;
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, images.depth->id(), 0);
+    const GLenum attachment = GL_COLOR_ATTACHMENT0;
+    glDrawBuffers(1, &attachment);
+    glViewport(0, 0, target.width(), target.height());
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    const uint32_t clear[4] = {clearTo, clearTo, clearTo, clearTo};
+    const float farAway = 0;
+    glClearBufferuiv(GL_COLOR, 0, clear);
+    glClearBufferfv(GL_DEPTH, 0, &farAway);
+
+    glBindVertexArray(vertexArray_);
+    const GLint matrix = glGetUniformLocation(program.id(), "clipFromObject");
+    const GLint instance = glGetUniformLocation(program.id(), "drawnInstance");
+    const GLint first = glGetUniformLocation(program.id(), "firstTriangle");
+    for (const RasterDraw& draw : draws) {
+        glUniformMatrix4fv(matrix, 1, GL_FALSE, &draw.clipFromObject[0][0]);
+        glUniform1i(instance, draw.instance);
+        glUniform1i(first, draw.firstTriangle);
+        glDrawArrays(GL_TRIANGLES, 0, 3 * draw.triangles);
+    }
+    glDisable(GL_DEPTH_TEST);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    checkGl("rasterising");
+}
+
+}  // namespace vitrine

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Draws triangles that the vertex shader fetches itself, with a depth buffer: for the finders of
+// first hits that use the rasteriser.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/math.hpp"
+#include "gpu/program.hpp"
+#include "gpu/texture.hpp"
+
+namespace vitrine {
+
+/// One instance of a mesh; the members become uniforms of pass/raster.glsl.
+struct RasterDraw {
+    glm::mat4 clipFromObject{1};
+    int instance = 0;
+    int firstTriangle = 0;
+    int triangles = 0;
+};
+
+struct RasterImages {
+    std::vector<std::pair<std::string, const TexelBuffer*>> buffers;
+    std::pair<std::string, const Texture*> output;
+    const DepthImage* depth = nullptr;
+};
+
+class RasterRunner {
+  public:
+    RasterRunner();
+    ~RasterRunner();
+    RasterRunner(const RasterRunner&) = delete;
+    RasterRunner& operator=(const RasterRunner&) = delete;
+
+    /// Clears depth to infinity and the RGBA32UI output to `clearTo` in all channels, then draws.
+    /// Depth is reversed: 1 at the near plane, 0 at infinity (Reed, Depth Precision Visualized,
+    /// 2015), so that floats are as precise far away as they are near.
+    void run(const Program& program, const UniformBlock& block, const RasterImages& images,
+             uint32_t clearTo, std::span<const RasterDraw> draws);
+
+  private:
+    unsigned framebuffer_ = 0, vertexArray_ = 0;
+};
+
+}  // namespace vitrine
