@@ -24,7 +24,8 @@ Probe ambientProbe(Hit hit, vec3 toViewer, ivec2 pixel, int index, int count) {
     Surface s = hit.surface;
     float nDotV = max(dot(s.normal, toViewer), 0.0);
     vec3 albedo = s.baseColor * (1.0 - s.metallic) *
-                  (1.0 - fresnelSchlick(reflectanceAtNormal(s), nDotV)) / float(count);
+                  (1.0 - fresnelSchlick(reflectanceAtNormal(s), nDotV)) * s.occlusion /
+                  float(count);
     float ao = frame.shading.z;
     if (ao <= 0.0) return Probe(s.normal, 0.0, albedo * environmentRadiance(s.normal), vec3(0.0));
     int sampleIndex = frame.sampling.x * count + index;

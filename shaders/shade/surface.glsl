@@ -4,6 +4,7 @@
 #include "lib/hit_record.glsl"
 #include "lib/color.glsl"
 #include "shade/surface_type.glsl"
+#include "shade/textures.glsl"
 #include "generated/material.glsl"
 
 struct Hit {
@@ -27,7 +28,7 @@ vec3 terminatorShift(vec3 p, Vertex a, Vertex b, Vertex c, vec3 weights, float s
     return weights.x * toA + weights.y * toB + weights.z * toC;
 }
 
-void loadMaterial(inout Hit hit, Instance instance) {
+void loadMaterial(inout Hit hit, Instance instance, TextureFrame geometry) {
     vec4 list = fetchTable(instance.materials);
     int part = clamp(hit.surface.part, 0, int(list.y) - 1);
     hit.material = int(fetchTable(instance.materials + part).x);
@@ -39,6 +40,11 @@ void loadMaterial(inout Hit hit, Instance instance) {
     hit.surface.metallic = a.w;
     hit.surface.emission = b.rgb;
     hit.surface.roughness = b.w;
+    hit.surface.occlusion = 1.0;
+#if HAS_TEXTURES
+    vec4 d = fetchTable(i + 3);
+    applyTextures(int(d.x), int(d.y), geometry, hit.surface);
+#endif
     evaluateMaterial(int(c.x), hit.surface, int(c.y));
     hit.surface.baseColor = clamp(hit.surface.baseColor, 0.0, 1.0);
     hit.surface.metallic = clamp(hit.surface.metallic, 0.0, 1.0);
@@ -59,6 +65,8 @@ Hit loadHit(uvec4 record, Ray ray) {
     hit.surface.localPosition = local;
     float lift = 1.0e-5 * (maxComponent(abs(position)) + t);
     vec3 shift = vec3(0.0);
+    TextureFrame geometry = TextureFrame(vec2(0.0), vec3(0.0), vec3(0.0), 0.0);
+    float uvPerMetre = 0.0;
     if (instance.kind == VITRINE_KIND_MESH) {
         uvec4 triangle = fetchTriangle(instance.parameters + int(record.y));
         Vertex a = fetchVertex(int(triangle.x));
@@ -76,6 +84,21 @@ Hit loadHit(uvec4 record, Ray ray) {
         hit.surface.normal = dot(worldSmooth, hit.geometricNormal) < 0.0 ? -worldSmooth : worldSmooth;
         hit.surface.uv = weights.x * a.uv + weights.y * b.uv + weights.z * c.uv;
         hit.surface.part = int(triangle.w);
+#if HAS_TEXTURES
+        vec3 edge1 = transformVector(instance.worldFromObject, b.position - a.position);
+        vec3 edge2 = transformVector(instance.worldFromObject, c.position - a.position);
+        vec2 uv1 = b.uv - a.uv;
+        vec2 uv2 = c.uv - a.uv;
+        float uvArea = uv1.x * uv2.y - uv1.y * uv2.x;
+        float mirrored = uvArea < 0.0 ? -1.0 : 1.0;
+        geometry.uv = hit.surface.uv;
+        geometry.tangent = mirrored * (uv2.y * edge1 - uv1.y * edge2);
+        geometry.bitangent = mirrored * (uv1.x * edge2 - uv2.x * edge1);
+        // Texture coordinates per metre: the roots of the ratio of the areas (ray cones, Akenine-
+        // Moller et al. 2021, "Improved Shader and Texture Level of Detail Using Ray Cones").
+        float worldArea = length(cross(edge1, edge2));
+        uvPerMetre = worldArea > 0.0 ? sqrt(abs(uvArea) / worldArea) : 0.0;
+#endif
         float normalSide = dot(smoothNormal, flatNormal) < 0.0 ? -side : side;
         shift = terminatorShift(local, a, b, c, weights, normalSide);
         shift = transformVector(instance.worldFromObject, shift);
@@ -92,6 +115,9 @@ Hit loadHit(uvec4 record, Ray ray) {
     float cosine = max(0.1, -dot(ray.direction, hit.geometricNormal));
     hit.surface.footprint = 2.0 * hit.radius / cosine;
     hit.rayOrigin = position + shift + lift * hit.geometricNormal;
-    loadMaterial(hit, instance);
+#if HAS_TEXTURES
+    geometry.footprint = hit.surface.footprint * uvPerMetre;
+#endif
+    loadMaterial(hit, instance, geometry);
     return hit;
 }

@@ -11,4 +11,5 @@ struct Surface {
     float metallic;
     float roughness;
     vec3 emission;
+    float occlusion;     // of ambient light, by a texture; 1: none
 };

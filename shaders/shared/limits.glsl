@@ -17,9 +17,17 @@
 #define VITRINE_KIND_MESH 0
 #define VITRINE_KIND_FIELD 1
 #define VITRINE_INSTANCE_TEXELS 9
-#define VITRINE_MATERIAL_TEXELS 3
+#define VITRINE_MATERIAL_TEXELS 4
+#define VITRINE_TEXTURE_SLOT_TEXELS 3
 #define VITRINE_LIGHT_TEXELS 2
 #define VITRINE_VERTEX_TEXELS 2
+
+// What a texture slot of a material is for.
+#define VITRINE_SLOT_BASE_COLOR 0
+#define VITRINE_SLOT_METALLIC_ROUGHNESS 1
+#define VITRINE_SLOT_NORMAL 2
+#define VITRINE_SLOT_OCCLUSION 3
+#define VITRINE_SLOT_EMISSION 4
 
 // Light types, in the order of LightType (scene/scene.hpp).
 #define VITRINE_LIGHT_SUN 0

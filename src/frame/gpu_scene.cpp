@@ -3,11 +3,23 @@
 
 namespace vitrine {
 
+namespace {
+
+TextureArray uploadPages(const TextureAtlas& atlas, bool srgb) {
+    std::vector<std::span<const uint8_t>> layers;
+    for (const TexturePage& page : atlas.pages) layers.emplace_back(page.texels);
+    return {atlas.pages.empty() ? 1 : atlas.pages[0].size, layers, srgb};
+}
+
+}  // namespace
+
 void GpuScene::upload(const PackedScene& scene) {
     slots.upload(std::as_bytes(std::span(scene.slots)));
     triangles.upload(std::as_bytes(std::span(scene.triangles)));
     vertices.upload(std::as_bytes(std::span(scene.vertices)));
     tables.upload(std::as_bytes(std::span(scene.tables)));
+    colorPages = uploadPages(scene.textures.color, true);
+    dataPages = uploadPages(scene.textures.data, false);
 }
 
 std::vector<std::pair<std::string, const TexelBuffer*>> GpuScene::bindings() const {
@@ -15,6 +27,10 @@ std::vector<std::pair<std::string, const TexelBuffer*>> GpuScene::bindings() con
             {"sceneTriangles", &triangles},
             {"sceneVertices", &vertices},
             {"sceneTables", &tables}};
+}
+
+std::vector<std::pair<std::string, const TextureArray*>> GpuScene::arrays() const {
+    return {{"colorPages", &colorPages}, {"dataPages", &dataPages}};
 }
 
 }  // namespace vitrine

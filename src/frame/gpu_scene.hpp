@@ -13,10 +13,14 @@ struct GpuScene {
     TexelBuffer vertices{TexelFormat::kRgba32f};
     TexelBuffer tables{TexelFormat::kRgba32f};
 
+    TextureArray colorPages, dataPages;
+
     /// Throws MachineError if the GPU cannot hold it.
     void upload(const PackedScene& scene);
     /// Under the names of shaders/scene/fetch.glsl.
     [[nodiscard]] std::vector<std::pair<std::string, const TexelBuffer*>> bindings() const;
+    /// Under the names of shaders/scene/texture.glsl.
+    [[nodiscard]] std::vector<std::pair<std::string, const TextureArray*>> arrays() const;
 };
 
 }  // namespace vitrine

@@ -15,6 +15,7 @@ void PathImages::allocate(int width, int height) {
 void PassContext::run(const std::string& pass, PassImages images) {
     const Program& program = programs.get(pass);
     images.buffers = scene.bindings();
+    images.arrays = scene.arrays();
     const bool counts = counting && findPass(pass).traces;
     if (counts) {
         images.inputs.emplace_back("countersBefore", &counters[0]);

@@ -53,6 +53,7 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
     ShaderKey key{pass, stage, dialect, {}};
     const bool traces = findPass(pass).traces;
     key.defines["COUNTERS"] = traces && features.counters ? 1 : 0;
+    key.defines["HAS_TEXTURES"] = features.textures ? 1 : 0;
     if (traces) {
         const bool meshes = features.meshes && pass != "visibility_fields";
         key.defines["HAS_MESHES"] = meshes ? 1 : 0;

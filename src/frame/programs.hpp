@@ -20,6 +20,7 @@ struct ProgramFeatures {
     bool meshes = true;
     bool fields = true;
     bool counters = false;
+    bool textures = false;
 };
 
 /// A pass's shader under the features that concern it, for any stage and dialect.

@@ -50,6 +50,12 @@ void PassRunner::run(const Program& program, const UniformBlock& block, const Pa
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         glBindTexture(GL_TEXTURE_BUFFER, buffer->id());
     }
+    for (const auto& [name, array] : images.arrays) {
+        const int unit = program.unit(name);
+        if (unit < 0) continue;
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D_ARRAY, array->id());
+    }
     glActiveTexture(GL_TEXTURE0);
     program.isCompute() ? dispatch(program, images) : draw(program, images);
     checkGl("running a pass");

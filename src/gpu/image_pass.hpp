@@ -17,6 +17,7 @@ struct PassImages {
     std::vector<std::pair<std::string, const TexelBuffer*>> buffers;
     /// All of one size; that size is what is drawn.
     std::vector<std::pair<std::string, const Texture*>> outputs;
+    std::vector<std::pair<std::string, const TextureArray*>> arrays = {};
 };
 
 class PassRunner {

@@ -31,6 +31,7 @@ void attach(unsigned program, GLenum type, const ShaderKey& key, const Generated
 bool isSampler(GLenum type) {
     switch (type) {
         case GL_SAMPLER_2D:
+        case GL_SAMPLER_2D_ARRAY:
         case GL_UNSIGNED_INT_SAMPLER_2D:
         case GL_SAMPLER_BUFFER:
         case GL_UNSIGNED_INT_SAMPLER_BUFFER: return true;

@@ -17,7 +17,7 @@ std::string prelude(const ShaderKey& key) {
     switch (key.dialect) {
         case Dialect::kEs300:
             text = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
-                   "precision highp sampler2D;\nprecision highp usampler2D;\n#define precise\n";
+                   "precision highp sampler2D;\nprecision highp usampler2D;\nprecision highp sampler2DArray;\n#define precise\n";
             break;
         case Dialect::kGl410: text = "#version 410 core\n"; break;
         case Dialect::kGl450: text = "#version 450 core\n"; break;

@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -130,6 +131,43 @@ DepthImage::~DepthImage() {
 DepthImage::DepthImage(DepthImage&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
 
 DepthImage& DepthImage::operator=(DepthImage&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+}
+
+TextureArray::TextureArray(int size, std::span<const std::span<const uint8_t>> layers, bool srgb) {
+    const auto count = std::max(static_cast<GLsizei>(layers.size()), 1);
+    GLint maxSize = 0, maxLayers = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &maxSize);
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &maxLayers);
+    if (size > maxSize || count > maxLayers)
+        throw MachineError(fmt::format("the textures need {} pages of {}x{}; this driver allows {} of {}x{}",
+                                       count, size, size, maxLayers, maxSize, maxSize));
+    glGenTextures(1, &id_);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, id_);
+    const int side = layers.empty() ? 1 : size;
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, side, side, count, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, nullptr);
+    checkGl("allocating textures");
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (size_t i = 0; i < layers.size(); ++i)
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(i), side, side, 1, GL_RGBA,
+                        GL_UNSIGNED_BYTE, layers[i].data());
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    checkGl("uploading textures");
+}
+
+TextureArray::~TextureArray() {
+    if (id_ != 0) glDeleteTextures(1, &id_);
+}
+
+TextureArray::TextureArray(TextureArray&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+
+TextureArray& TextureArray::operator=(TextureArray&& other) noexcept {
     std::swap(id_, other.id_);
     return *this;
 }

@@ -55,6 +55,21 @@ class DepthImage {
     unsigned id_ = 0;
 };
 
+/// Square RGBA8 images of one size, filtered bilinearly, without mipmaps. Row 0 is the first.
+class TextureArray {
+  public:
+    TextureArray() = default;
+    /// One texel of nothing if there are no layers. Throws MachineError if the driver cannot hold it.
+    TextureArray(int size, std::span<const std::span<const uint8_t>> layers, bool srgb);
+    ~TextureArray();
+    TextureArray(TextureArray&& other) noexcept;
+    TextureArray& operator=(TextureArray&& other) noexcept;
+    [[nodiscard]] unsigned id() const { return id_; }
+
+  private:
+    unsigned id_ = 0;
+};
+
 /// A read-only array of RGBA32F or RGBA32UI texels (`samplerBuffer`, `usamplerBuffer`).
 class TexelBuffer {
   public:

@@ -9,6 +9,7 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "image/png.hpp"
 #include "bvh/build.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/primitives.hpp"
@@ -17,6 +18,7 @@ namespace vitrine {
 namespace {
 
 constexpr uint64_t kMaxSnippetBytes = 64u << 10;
+constexpr uint64_t kMaxPictureBytes = 256u << 20;
 
 /// Reads the files of one scene, each once.
 class AssetReader {
@@ -65,6 +67,22 @@ class AssetReader {
         return snippets_[file.name] = asset;
     }
 
+    std::shared_ptr<const ImageRgba8> picture(const MaterialTexture& texture) {
+        if (texture.file.empty()) return texture.image;
+        const auto known = pictures_.find(texture.file.name);
+        if (known != pictures_.end()) return known->second;
+        std::shared_ptr<const ImageRgba8> asset;
+        if (const auto bytes = read(texture.file, kMaxPictureBytes)) {
+            try {
+                asset = std::make_shared<ImageRgba8>(decodePng(
+                    {reinterpret_cast<const uint8_t*>(bytes->data()), bytes->size()}, path_));
+            } catch (const InputError& e) {
+                diagnostics_.append(e.diagnostics());
+            }
+        }
+        return pictures_[texture.file.name] = asset;
+    }
+
   private:
     /// The content; `path_` is then where it came from.
     std::optional<std::string> read(const Reference& file, uint64_t limit) {
@@ -97,9 +115,15 @@ class AssetReader {
     std::string path_;
     std::map<std::string, std::shared_ptr<const MeshAsset>> meshes_;
     std::map<std::string, std::shared_ptr<const Snippet>> snippets_;
+    std::map<std::string, std::shared_ptr<const ImageRgba8>> pictures_;
 };
 
 }  // namespace
+
+std::array<const MaterialTexture*, 5> materialTextures(const Material& m) {
+    return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture,
+            &m.emissionTexture};
+}
 
 Assets loadAssets(const Scene& scene, Diagnostics& diagnostics) {
     Assets assets;
@@ -115,9 +139,13 @@ Assets loadAssets(const Scene& scene, Diagnostics& diagnostics) {
         }
         assets.fields.push_back(std::move(field));
     }
-    for (const Material& material : scene.materials)
+    for (const Material& material : scene.materials) {
         assets.materials.push_back(
             reader.snippet(material.snippet, SnippetKind::kMaterial, ".mat.glsl"));
+        auto& pictures = assets.pictures.emplace_back();
+        for (const MaterialTexture* texture : materialTextures(material))
+            pictures.push_back(reader.picture(*texture));
+    }
     return assets;
 }
 

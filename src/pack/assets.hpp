@@ -25,7 +25,12 @@ struct Assets {
     std::vector<std::shared_ptr<const MeshAsset>> meshes;
     std::vector<std::shared_ptr<const Snippet>> fields;
     std::vector<std::shared_ptr<const Snippet>> materials;
+    /// The pictures of each material's textures, in the order of materialTextures().
+    std::vector<std::vector<std::shared_ptr<const ImageRgba8>>> pictures;
 };
+
+/// The textures of a material in the order of VITRINE_SLOT_*.
+std::array<const MaterialTexture*, 5> materialTextures(const Material& material);
 
 /// Reads everything the scene names. Files must lie in the scene's folder or below.
 Assets loadAssets(const Scene& scene, Diagnostics& diagnostics);

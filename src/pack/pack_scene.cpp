@@ -38,6 +38,7 @@ class Packer {
 
     PackedScene pack() {
         collectSnippets();
+        out_.textures = packMaterialTextures(scene_, assets_);
         packMaterials();
         packLights();
         packInstances();
@@ -90,17 +91,19 @@ class Packer {
                 diagnostics_.error(scene_.materials[i].set[0].where,
                                    "set gives parameters to a snippet, but the material has none");
             }
-            addMaterial(scene_.materials[i], snippet, parameters);
+            addMaterial(scene_.materials[i], snippet, parameters, out_.textures.slots[i]);
         }
-        addMaterial(Material{}, 0, 0);  // for nodes that name none
+        addMaterial(Material{}, 0, 0, {});  // for nodes that name none
         out_.materialNames.back() = "(default)";
     }
 
-    void addMaterial(const Material& m, int snippet, int parameters) {
+    void addMaterial(const Material& m, int snippet, int parameters,
+                     const PackedTextures::Slots& slots) {
         out_.materialNames.push_back(m.name);
         materials_.emplace_back(m.baseColor.rgb, m.metallic);
         materials_.emplace_back(m.emission.rgb * m.emissionStrength, m.roughness);
         materials_.push_back(texel(snippet, parameters));
+        materials_.push_back(texel(slots.first, slots.count));
     }
 
     void packLights() {
@@ -243,6 +246,7 @@ class Packer {
             out_.tables.insert(out_.tables.end(), part.begin(), part.end());
             return first;
         };
+        (void)append(out_.textures.table);  // first: its addresses count from the beginning
         const int lists = append(materialLists_);
         for (size_t i = 6; i < instances_.size(); i += VITRINE_INSTANCE_TEXELS)
             instances_[i].z += static_cast<float>(lists);

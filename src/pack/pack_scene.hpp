@@ -9,6 +9,7 @@
 #include "pack/bvh_layout.hpp"
 #include "pack/frame_block.hpp"
 #include "pack/generate.hpp"
+#include "pack/pack_textures.hpp"
 
 namespace vitrine {
 
@@ -30,6 +31,7 @@ struct PackedScene {
     /// Everything but the camera, the sample and the view.
     FrameBlock block{};
     bool hasMeshes = false, hasFields = false;
+    PackedTextures textures;
 
     std::vector<PackedInstance> instances;
     std::vector<std::string> materialNames;

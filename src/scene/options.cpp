@@ -16,6 +16,9 @@ ChoiceMember<T> choice(std::vector<std::string> words, E T::*member) {
             [member](const T& t) { return static_cast<int>(t.*member); }};
 }
 
+/// In the order of Channel.
+std::vector<std::string> channelNames() { return {"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a"}; }
+
 }  // namespace
 
 const OptionTable<Scene>& sceneOptions() {
@@ -90,6 +93,20 @@ const OptionTable<Material>& materialOptions() {
         {"roughness", &M::roughness, kUnit, "0 mirror, 1 matt"},
         {"emission", &M::emission, kNotNegative, "light given off, radiance"},
         {"emission_strength", &M::emissionStrength, kNotNegative, "factor on emission"},
+        {"base_color_texture", TextureMember<M>{&M::baseColorTexture}, kNone,
+         "picture (.png, .jpg), times base_color"},
+        {"metallic_roughness_texture", TextureMember<M>{&M::metallicRoughnessTexture}, kNone,
+         "picture whose channels multiply roughness and metallic"},
+        {"roughness_from", choice<M>(channelNames(), &M::roughnessFrom), kNone,
+         "channel of that picture; 1-r reads a glossiness from red"},
+        {"metallic_from", choice<M>(channelNames(), &M::metallicFrom), kNone, "channel of that picture"},
+        {"normal_texture", TextureMember<M>{&M::normalTexture}, kNone,
+         "picture of tangent-space normals, +Y up"},
+        {"normal_scale", &M::normalScale, {-10, 10}, "how strongly it bends the normals"},
+        {"occlusion_texture", TextureMember<M>{&M::occlusionTexture}, kNone,
+         "picture whose red channel dims ambient light"},
+        {"occlusion_strength", &M::occlusionStrength, kUnit, "how much of that"},
+        {"emission_texture", TextureMember<M>{&M::emissionTexture}, kNone, "picture, times emission"},
         {"snippet", &M::snippet, kNone, "NAME.mat.glsl with `void material(inout Surface s)`"},
     };
     return table;

@@ -26,9 +26,15 @@ struct ScaleMember {
     glm::vec3 T::*member;
 };
 
+/// The file of a texture.
+template <class T>
+struct TextureMember {
+    MaterialTexture T::*member;
+};
+
 template <class T>
 using OptionMember = std::variant<float T::*, int T::*, bool T::*, glm::vec3 T::*, Color T::*,
-                                  std::string T::*, Reference T::*, ScaleMember<T>, ChoiceMember<T>>;
+                                  std::string T::*, Reference T::*, ScaleMember<T>, TextureMember<T>, ChoiceMember<T>>;
 
 /// Inclusive; what lies outside is an error.
 struct Range {

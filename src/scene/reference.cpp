@@ -28,6 +28,7 @@ struct Describe {
     Texts operator()(Color T::*m) const { return {"colour", vector((defaults.*m).rgb)}; }
     Texts operator()(std::string T::*) const { return {"text", ""}; }
     Texts operator()(Reference T::*) const { return {"name", ""}; }
+    Texts operator()(const TextureMember<T>&) const { return {"file", ""}; }
     Texts operator()(const ScaleMember<T>& m) const {
         return {"number or `[x, y, z]`", vector(defaults.*m.member)};
     }

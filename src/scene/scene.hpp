@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/math.hpp"
+#include "image/image.hpp"
 
 namespace vitrine {
 
@@ -82,6 +84,23 @@ struct Light {
     SourceLocation where;
 };
 
+enum class TextureWrap { kRepeat, kClamp, kMirror };
+
+/// A picture laid over a surface: a file, or pixels that came with a model.
+struct MaterialTexture {
+    Reference file;
+    std::shared_ptr<const ImageRgba8> image;
+    TextureWrap wrapU = TextureWrap::kRepeat, wrapV = TextureWrap::kRepeat;
+    int uvSet = 0;
+    /// From the mesh's coordinates to the picture's, both with (0, 0) at the lower left.
+    glm::mat3 pictureFromMesh{1};
+
+    [[nodiscard]] bool given() const { return !file.empty() || image != nullptr; }
+};
+
+/// One channel of a picture, as it is or reversed (a glossiness is a reversed roughness).
+enum class Channel { kRed, kGreen, kBlue, kAlpha, kNotRed, kNotGreen, kNotBlue, kNotAlpha };
+
 struct Material {
     std::string name;
     Color baseColor{{0.8f, 0.8f, 0.8f}};
@@ -89,6 +108,10 @@ struct Material {
     float roughness = 0.5f;
     Color emission{{0, 0, 0}};
     float emissionStrength = 1;
+    MaterialTexture baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture,
+        emissionTexture;
+    Channel roughnessFrom = Channel::kGreen, metallicFrom = Channel::kBlue;
+    float normalScale = 1, occlusionStrength = 1;
     Reference snippet;  ///< a .mat.glsl file
     std::vector<ParameterValue> set;
     SourceLocation where;

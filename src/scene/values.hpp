@@ -59,6 +59,9 @@ void readOption(const toml::node& node, const Option<T>& option, T& object, Diag
         } else if constexpr (std::is_same_v<M, Reference T::*>) {
             if (readText(node, key, (object.*member).name, diagnostics))
                 (object.*member).where = placeOf(node);
+        } else if constexpr (std::is_same_v<M, TextureMember<T>>) {
+            Reference& file = (object.*member.member).file;
+            if (readText(node, key, file.name, diagnostics)) file.where = placeOf(node);
         } else if constexpr (std::is_same_v<M, ScaleMember<T>>) {
             double value = 0;
             if (node.is_array() && node.as_array()->size() == 3)
