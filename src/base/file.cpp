@@ -58,7 +58,8 @@ std::string readFile(const fs::path& path, uint64_t maxBytes) {
     if (::fstat(file.get(), &status) != 0) throw fail(std::strerror(errno));
     if (!S_ISREG(status.st_mode)) throw fail("not a regular file");
     if (static_cast<uint64_t>(status.st_size) > maxBytes)
-        throw fail(fmt::format("too large: {} bytes, at most {} are read", status.st_size, maxBytes));
+        throw fail(
+            fmt::format("too large: {} bytes, at most {} are read", status.st_size, maxBytes));
 
     std::string bytes;
     bytes.resize(static_cast<size_t>(status.st_size));
@@ -80,7 +81,8 @@ fs::path resolveInside(const fs::path& root, std::string_view reference) {
         throw std::invalid_argument("the file name contains a zero byte");
     const fs::path relative(reference);
     if (relative.is_absolute())
-        throw std::invalid_argument("the path is absolute; write it relative to the scene's folder");
+        throw std::invalid_argument(
+            "the path is absolute; write it relative to the scene's folder");
     const fs::path base = canonicalPrefix(root.empty() ? fs::path(".") : root);
     const fs::path target = canonicalPrefix(base / relative);
     const fs::path inside = target.lexically_relative(base);
@@ -114,7 +116,8 @@ void writeFileAtomically(const fs::path& path, std::span<const uint8_t> bytes) {
 }
 
 void writeFileAtomically(const fs::path& path, std::string_view text) {
-    writeFileAtomically(path, std::span(reinterpret_cast<const uint8_t*>(text.data()), text.size()));
+    writeFileAtomically(path,
+                        std::span(reinterpret_cast<const uint8_t*>(text.data()), text.size()));
 }
 
 void checkWritable(const fs::path& path) {

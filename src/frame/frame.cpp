@@ -29,8 +29,7 @@ void Frame::update(const PackedScene& scene) {
 
 void Frame::begin(const FrameRequest& request) {
     const bool resized = request.width != request_.width || request.height != request_.height ||
-                         request.ssaa != request_.ssaa ||
-                         !picture_.valid();
+                         request.ssaa != request_.ssaa || !picture_.valid();
     request_ = request;
     sample_ = 0;
     statistics_ = {};
@@ -40,8 +39,10 @@ void Frame::begin(const FrameRequest& request) {
     FrameBlock& block = context_.block;
     const int width = request.width * request.ssaa, height = request.height * request.ssaa;
     if (std::max(width, height) > maxSide_)
-        throw MachineError(fmt::format("{}x{} pixels are drawn with render.ssaa = {}; this driver "
-                                       "allows {} a side", width, height, request.ssaa, maxSide_));
+        throw MachineError(
+            fmt::format("{}x{} pixels are drawn with render.ssaa = {}; this driver "
+                        "allows {} a side",
+                        width, height, request.ssaa, maxSide_));
     packCamera(request.camera, width, height, block);
     block.shading.x = request.time;
     block.image.w = static_cast<int>(request.view);
@@ -87,7 +88,8 @@ void Frame::findFirstHits() {
     for (size_t i = 0; i < instances_.size(); ++i)
         if (!instances_[i].field)
             draws.push_back({clipFromWorld * instances_[i].worldFromObject, static_cast<int>(i),
-                             instances_[i].firstTriangle, static_cast<int>(instances_[i].triangles)});
+                             instances_[i].firstTriangle,
+                             static_cast<int>(instances_[i].triangles)});
     const bool fields = fieldRoot_ >= 0;
     rasterPass(context_, draws, depth_, paths_[fields ? 1 : 0].records);
     if (fields) visibilityFieldsPass(context_, fieldRoot_, paths_[1].records, paths_[0].records);

@@ -27,13 +27,14 @@ class PassContext {
     void run(const std::string& pass, PassImages images);
 
     /// Draws triangles into the records.
-    void draw(const std::string& pass, const RasterImages& images, std::span<const RasterDraw> draws);
+    void draw(const std::string& pass, const RasterImages& images,
+              std::span<const RasterDraw> draws);
 
     FrameBlock block{};
     GpuScene scene;
     ProgramSet programs;
-    const bool counting;                ///< passes that trace keep counts
-    std::array<Texture, 2> counters;    ///< of this sample; [0] is the latest
+    const bool counting;              ///< passes that trace keep counts
+    std::array<Texture, 2> counters;  ///< of this sample; [0] is the latest
     PassTimer& timer() { return timer_; }
     bool timing = false;
 

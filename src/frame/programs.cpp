@@ -11,7 +11,8 @@ namespace {
 
 Backend chooseBackend(const GpuInfo& gpu, Backend wanted) {
     if (wanted == Backend::kCompute && !gpu.compute)
-        throw MachineError(fmt::format("'{}' has no compute shaders; use --backend fragment", gpu.renderer));
+        throw MachineError(
+            fmt::format("'{}' has no compute shaders; use --backend fragment", gpu.renderer));
     if (wanted != Backend::kAuto) return wanted;
     return gpu.compute && !gpu.software ? Backend::kCompute : Backend::kFragment;
 }
@@ -30,13 +31,11 @@ std::string describeOwnError(const ShaderError& error) {
 }  // namespace
 
 const std::vector<PassShader>& passShaders() {
-    static const std::vector<PassShader> passes{{"raster", false, true},
-                                                {"visibility", true}, {"visibility_fields", true},
-                                                {"light", true},
-                                                {"bounce", true},     {"accumulate", false},
-                                                {"display", false},   {"view", false},
-                                                {"check_snippet", false},
-                                                {"query_closest", true}, {"query_any", true}};
+    static const std::vector<PassShader> passes{
+        {"raster", false, true}, {"visibility", true}, {"visibility_fields", true},
+        {"light", true},         {"bounce", true},     {"accumulate", false},
+        {"display", false},      {"view", false},      {"check_snippet", false},
+        {"query_closest", true}, {"query_any", true}};
     return passes;
 }
 
@@ -81,7 +80,7 @@ const Program& ProgramSet::get(const std::string& pass) {
     try {
         Program program = raster    ? Program::raster(key, shaders_.includes)
                           : compute ? Program::compute(key, shaders_.includes)
-                                  : Program::fragment(key, shaders_.includes);
+                                    : Program::fragment(key, shaders_.includes);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         compileSeconds_ += elapsed.count();
         return programs_[pass] = std::move(program);

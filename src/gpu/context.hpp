@@ -12,10 +12,10 @@ namespace vitrine {
 
 struct GpuInfo {
     std::string renderer, vendor, version;
-    int glslVersion = 450;       ///< 450 or 410
-    bool compute = true;         ///< compute shaders exist (GL 4.3)
-    bool software = false;       ///< the "GPU" is this machine's CPU
-    bool clipControl = true;     ///< reversed depth is possible (GL 4.5)
+    int glslVersion = 450;    ///< 450 or 410
+    bool compute = true;      ///< compute shaders exist (GL 4.3)
+    bool software = false;    ///< the "GPU" is this machine's CPU
+    bool clipControl = true;  ///< reversed depth is possible (GL 4.5)
     int maxTextureBufferTexels = 0;
     int maxTextureSize = 0;
 };

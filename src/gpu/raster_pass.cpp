@@ -33,7 +33,8 @@ void RasterRunner::run(const Program& program, const UniformBlock& block,
     const Texture& target = *images.output.second;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.id(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, images.depth->id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, images.depth->id(),
+                           0);
     const GLenum attachment = GL_COLOR_ATTACHMENT0;
     glDrawBuffers(1, &attachment);
     glViewport(0, 0, target.width(), target.height());

@@ -59,7 +59,8 @@ class DepthImage {
 class TextureArray {
   public:
     TextureArray() = default;
-    /// One texel of nothing if there are no layers. Throws MachineError if the driver cannot hold it.
+    /// One texel of nothing if there are no layers. Throws MachineError if the driver cannot hold
+    /// it.
     TextureArray(int size, std::span<const std::span<const uint8_t>> layers, bool srgb);
     ~TextureArray();
     TextureArray(TextureArray&& other) noexcept;

@@ -9,8 +9,8 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "image/png.hpp"
 #include "bvh/build.hpp"
+#include "image/png.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/primitives.hpp"
 

@@ -19,7 +19,8 @@ class BvhLayout {
     /// Appends the tree of a mesh. Returns its root slot.
     uint32_t addMesh(const Bvh& bvh, std::span<const glm::vec3> positions,
                      std::span<const glm::uvec3> triangles);
-    /// Appends an upper level; `instances` are the numbers of the tree's items. Returns its root slot.
+    /// Appends an upper level; `instances` are the numbers of the tree's items. Returns its root
+    /// slot.
     uint32_t addInstances(const Bvh& bvh, std::span<const uint32_t> instances);
 
     [[nodiscard]] const std::vector<glm::uvec4>& texels() const { return texels_; }
@@ -38,8 +39,8 @@ class BvhLayout {
 /// A node's boxes in 8 bits a plane.
 struct QuantisedNode {
     glm::vec3 origin;
-    glm::uvec3 exponents;   ///< of the grid's step, biased by 127 as in a float
-    glm::uvec3 low, high;   ///< by axis; one byte a child
+    glm::uvec3 exponents;  ///< of the grid's step, biased by 127 as in a float
+    glm::uvec3 low, high;  ///< by axis; one byte a child
 };
 
 /// Every quantised box contains its original. Boxes must be finite.

@@ -25,22 +25,23 @@ glm::mat4 packProjection(const FrameBlock& block) {
     constexpr float kNear = 1e-3f;
     const glm::vec3 eye(block.cameraEye), forward(block.cameraForward);
     // Rows that give the coordinates on the image plane, from -1 to 1 over the picture.
-    const glm::vec3 x = glm::vec3(block.cameraRight) / glm::dot(block.cameraRight, block.cameraRight);
+    const glm::vec3 x =
+        glm::vec3(block.cameraRight) / glm::dot(block.cameraRight, block.cameraRight);
     const glm::vec3 y = glm::vec3(block.cameraUp) / glm::dot(block.cameraUp, block.cameraUp);
-    const glm::vec2 shift = 2.0f * glm::vec2(block.jitter) / glm::vec2(block.image.x, block.image.y);
+    const glm::vec2 shift =
+        2.0f * glm::vec2(block.jitter) / glm::vec2(block.image.x, block.image.y);
     const glm::vec3 rowX = x - shift.x * forward;
     const glm::vec3 rowY = y - shift.y * forward;
-    return glm::transpose(glm::mat4(glm::vec4(rowX, -glm::dot(rowX, eye)),
-                                    glm::vec4(rowY, -glm::dot(rowY, eye)),
-                                    glm::vec4(0, 0, 0, kNear),
-                                    glm::vec4(forward, -glm::dot(forward, eye))));
+    return glm::transpose(
+        glm::mat4(glm::vec4(rowX, -glm::dot(rowX, eye)), glm::vec4(rowY, -glm::dot(rowY, eye)),
+                  glm::vec4(0, 0, 0, kNear), glm::vec4(forward, -glm::dot(forward, eye))));
 }
 
 glm::vec2 sampleOffset(int index, int count) {
     if (count <= 1) return glm::vec2(0);
     // The R2 sequence (Roberts 2018), warped to a tent.
     const glm::vec2 r2 = glm::fract(glm::vec2(0.5f) + static_cast<float>(index) *
-                                                         glm::vec2(0.7548776662f, 0.5698402910f));
+                                                          glm::vec2(0.7548776662f, 0.5698402910f));
     const glm::vec2 u = 2.0f * r2 - 1.0f;
     return glm::sign(u) * (1.0f - glm::sqrt(1.0f - glm::abs(u)));
 }

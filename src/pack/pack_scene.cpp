@@ -27,7 +27,8 @@ std::array<glm::vec4, 3> rowsOf(const glm::mat4& m) {
 }
 
 glm::vec4 texel(int x, int y = 0, int z = 0, int w = 0) {
-    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), static_cast<float>(w)};
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z),
+            static_cast<float>(w)};
 }
 
 /// Builds the arrays in the order in which they depend on each other.
@@ -85,8 +86,8 @@ class Packer {
             int snippet = 0, parameters = 0;
             if (const auto& asset = assets_.materials[i]) {
                 snippet = materialNumber(asset);
-                parameters = addParameters(
-                    parameterValues(*asset, scene_.materials[i].set, diagnostics_));
+                parameters =
+                    addParameters(parameterValues(*asset, scene_.materials[i].set, diagnostics_));
             } else if (!scene_.materials[i].set.empty() && scene_.materials[i].snippet.empty()) {
                 diagnostics_.error(scene_.materials[i].set[0].where,
                                    "set gives parameters to a snippet, but the material has none");
@@ -110,7 +111,8 @@ class Packer {
         for (const Light& light : scene_.lights) {
             const bool sun = light.type == LightType::kSun;
             const glm::vec3 place = sun ? glm::normalize(light.direction) : light.at;
-            lights_.emplace_back(place, static_cast<float>(sun ? VITRINE_LIGHT_SUN : VITRINE_LIGHT_POINT));
+            lights_.emplace_back(place,
+                                 static_cast<float>(sun ? VITRINE_LIGHT_SUN : VITRINE_LIGHT_POINT));
             lights_.emplace_back(light.color.rgb * light.intensity, 0.0f);
         }
     }
@@ -119,7 +121,8 @@ class Packer {
         const auto known = meshes_.find(asset.get());
         if (known != meshes_.end()) return known->second;
         const Mesh& mesh = asset->mesh;
-        const auto firstVertex = static_cast<uint32_t>(out_.vertices.size() / VITRINE_VERTEX_TEXELS);
+        const auto firstVertex =
+            static_cast<uint32_t>(out_.vertices.size() / VITRINE_VERTEX_TEXELS);
         const auto firstTriangle = static_cast<int>(out_.triangles.size());
         for (size_t i = 0; i < mesh.positions.size(); ++i) {
             out_.vertices.emplace_back(mesh.positions[i], mesh.uvs[i].x);
@@ -134,7 +137,8 @@ class Packer {
     /// First texel, in the lists, of the materials of a node's parts.
     int packPartMaterials(const Node& node, const std::vector<std::string>& partNames) {
         const int unnamed = static_cast<int>(out_.materialNames.size()) - 1;
-        const int whole = node.material.empty() ? unnamed : indexByName(scene_.materials, node.material.name);
+        const int whole =
+            node.material.empty() ? unnamed : indexByName(scene_.materials, node.material.name);
         std::vector<int> chosen(partNames.size(), whole);
         for (size_t i = 0; i < node.parts.size(); ++i) {
             const auto& [part, material] = node.parts[i];
@@ -171,7 +175,8 @@ class Packer {
             if (shape < 0) continue;
             const auto& mesh = assets_.meshes[static_cast<size_t>(shape)];
             const auto& field = assets_.fields[static_cast<size_t>(shape)];
-            if (field == nullptr && !node.set.empty() && scene_.shapes[static_cast<size_t>(shape)].sdf.empty())
+            if (field == nullptr && !node.set.empty() &&
+                scene_.shapes[static_cast<size_t>(shape)].sdf.empty())
                 diagnostics_.error(node.set[0].where, "only an SDF shape has parameters to set");
             if ((mesh == nullptr && field == nullptr) || !node.visible) continue;
             addInstance(node, world[i], mesh, field);
@@ -181,10 +186,11 @@ class Packer {
         out_.slots = layout_.texels();
         out_.stackBound = layout_.stackBound();
         if (out_.stackBound > VITRINE_STACK_SIZE)
-            diagnostics_.error({scene_.file},
-                               fmt::format("the scene's trees are too deep for the tracer's stack: {} "
-                                           "entries are needed, there are {}",
-                                           out_.stackBound, VITRINE_STACK_SIZE));
+            diagnostics_.error(
+                {scene_.file},
+                fmt::format("the scene's trees are too deep for the tracer's stack: {} "
+                            "entries are needed, there are {}",
+                            out_.stackBound, VITRINE_STACK_SIZE));
     }
 
     /// The tree over all instances, or over the fields alone. -1 if there are none.
@@ -226,7 +232,8 @@ class Packer {
             precision = 4e-6f * std::max(size.x, std::max(size.y, size.z));
             out_.hasFields = true;
         }
-        for (const glm::vec4& row : rowsOf(glm::inverse(worldFromObject))) instances_.push_back(row);
+        for (const glm::vec4& row : rowsOf(glm::inverse(worldFromObject)))
+            instances_.push_back(row);
         for (const glm::vec4& row : rowsOf(worldFromObject)) instances_.push_back(row);
         instances_.push_back(indices);
         instances_.emplace_back(box.min, stepScale);
@@ -258,7 +265,8 @@ class Packer {
         constexpr size_t kLargestIndex = 1u << 24;
         if (std::max({out_.slots.size() / VITRINE_SLOT_TEXELS, out_.triangles.size(),
                       out_.tables.size()}) > kLargestIndex)
-            diagnostics_.error({scene_.file}, "the scene is too large: more than 16 million triangles");
+            diagnostics_.error({scene_.file},
+                               "the scene is too large: more than 16 million triangles");
     }
 
     void packSettings() {

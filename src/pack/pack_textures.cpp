@@ -38,9 +38,11 @@ std::vector<int> appendEntries(const TextureAtlas& atlas, std::vector<glm::vec4>
     for (const TexturePlace& place : atlas.places) {
         const auto entry = static_cast<int>(table.size());
         addresses.push_back(entry);
-        table.push_back(texel(place.log2Width | place.log2Height << 5, entry + 1, place.levels.size(),
+        table.push_back(texel(place.log2Width | place.log2Height << 5, entry + 1,
+                              place.levels.size(),
                               static_cast<int>(place.wrapU) | static_cast<int>(place.wrapV) << 2));
-        for (const LevelPlace& level : place.levels) table.push_back(texel(level.page, level.x, level.y, 0));
+        for (const LevelPlace& level : place.levels)
+            table.push_back(texel(level.page, level.x, level.y, 0));
     }
     return addresses;
 }
@@ -73,7 +75,8 @@ PackedTextures packMaterialTextures(const Scene& scene, const Assets& assets) {
                                                   appendEntries(packed.data, packed.table)};
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         const Material& m = scene.materials[i];
-        packed.slots.push_back({static_cast<int>(packed.table.size()), static_cast<int>(uses[i].size())});
+        packed.slots.push_back(
+            {static_cast<int>(packed.table.size()), static_cast<int>(uses[i].size())});
         for (const Use& use : uses[i]) {
             const auto slot = static_cast<size_t>(use.slot);
             const MaterialTexture& texture = *materialTextures(m)[slot];

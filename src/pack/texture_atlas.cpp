@@ -33,7 +33,9 @@ const std::array<float, 256>& linearTable() {
     return table;
 }
 
-uint8_t toByte(float c) { return static_cast<uint8_t>(std::clamp(c, 0.0f, 1.0f) * 255.0f + 0.5f); }
+uint8_t toByte(float c) {
+    return static_cast<uint8_t>(std::clamp(c, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
 
 uint8_t toSrgbByte(float c) {
     c = std::clamp(c, 0.0f, 1.0f);
@@ -61,10 +63,13 @@ Level resample(const Level& source, int width, int height) {
             const auto [x0, x1] = window(x, scaleX, source.width);
             const auto [y0, y1] = window(y, scaleY, source.height);
             float sum[4] = {}, weights = 0;
-            for (int sy = static_cast<int>(y0); sy < source.height && static_cast<float>(sy) < y1; ++sy)
-                for (int sx = static_cast<int>(x0); sx < source.width && static_cast<float>(sx) < x1; ++sx) {
+            for (int sy = static_cast<int>(y0); sy < source.height && static_cast<float>(sy) < y1;
+                 ++sy)
+                for (int sx = static_cast<int>(x0);
+                     sx < source.width && static_cast<float>(sx) < x1; ++sx) {
                     const auto overlap = [](int i, float low, float high) {
-                        return std::min(high, static_cast<float>(i + 1)) - std::max(low, static_cast<float>(i));
+                        return std::min(high, static_cast<float>(i + 1)) -
+                               std::max(low, static_cast<float>(i));
                     };
                     const float weight = overlap(sx, x0, x1) * overlap(sy, y0, y1);
                     for (int c = 0; c < 4; ++c) sum[c] += weight * source.at(sx, sy)[c];
@@ -99,7 +104,8 @@ void store(const Level& level, const TexturePlace& place, const LevelPlace& at, 
         for (int x = -1; x <= level.width; ++x) {
             const float* from = level.at(wrapped(x, level.width, place.wrapU),
                                          wrapped(y, level.height, place.wrapV));
-            uint8_t* to = &page.texels[4 * (static_cast<size_t>(at.y + y) * page.size + (at.x + x))];
+            uint8_t* to =
+                &page.texels[4 * (static_cast<size_t>(at.y + y) * page.size + (at.x + x))];
             for (int c = 0; c < 3; ++c)
                 to[c] = use == TextureUse::kColor ? toSrgbByte(from[c]) : toByte(from[c]);
             to[3] = toByte(from[3]);
@@ -194,7 +200,8 @@ TextureAtlas packTextures(std::span<const TextureRequest> requests, TextureUse u
         Level level = decode(*requests[i].image, use);
         for (size_t k = 0; k < place.levels.size(); ++k) {
             const int width = 1 << place.log2Width >> k, height = 1 << place.log2Height >> k;
-            if (level.width != width || level.height != height) level = resample(level, width, height);
+            if (level.width != width || level.height != height)
+                level = resample(level, width, height);
             store(level, place, place.levels[k], use,
                   atlas.pages[static_cast<size_t>(place.levels[k].page)]);
         }

@@ -31,7 +31,8 @@ double linear(uint8_t byte) {
 TEST(TextureAtlas, FirstLevelIsThePictureAndBordersWrap) {
     const ImageRgba8 image = noise(16, 8, 1);
     for (const TextureUse use : {TextureUse::kColor, TextureUse::kData}) {
-        const std::vector<TextureRequest> requests{{&image, TextureWrap::kRepeat, TextureWrap::kClamp}};
+        const std::vector<TextureRequest> requests{
+            {&image, TextureWrap::kRepeat, TextureWrap::kClamp}};
         const TextureAtlas atlas = packTextures(requests, use);
         const LevelPlace& level = atlas.places[0].levels[0];
         for (int y = 0; y < 8; ++y)
@@ -99,7 +100,8 @@ TEST(TextureAtlas, OddSizesKeepTheirMeanAndLargeOnesAreReduced) {
     double wanted = 0, got = 0;
     for (int i = 0; i < 3700; ++i) wanted += odd.pixels[static_cast<size_t>(4 * i)] / 3700.0;
     for (int y = 0; y < 128; ++y)
-        for (int x = 0; x < 64; ++x) got += texelAt(atlas, atlas.places[0].levels[0], x, y)[0] / 8192.0;
+        for (int x = 0; x < 64; ++x)
+            got += texelAt(atlas, atlas.places[0].levels[0], x, y)[0] / 8192.0;
     EXPECT_NEAR(got, wanted, 2);
 }
 

@@ -17,7 +17,9 @@ ChoiceMember<T> choice(std::vector<std::string> words, E T::*member) {
 }
 
 /// In the order of Channel.
-std::vector<std::string> channelNames() { return {"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a"}; }
+std::vector<std::string> channelNames() {
+    return {"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a"};
+}
 
 }  // namespace
 
@@ -56,7 +58,10 @@ const OptionTable<Camera>& cameraOptions() {
         {"target", &C::target, kAnyNumber, "point in the middle of the picture, m"},
         {"up", &C::up, kAnyNumber, "direction that is up in the picture"},
         {"fov", &C::fov, {0.1, 170}, "vertical field of view, degrees"},
-        {"focal_length", &C::focalLength, {1, 2000}, "instead of fov: mm on a 36 mm wide sensor; 35 if neither is given"},
+        {"focal_length",
+         &C::focalLength,
+         {1, 2000},
+         "instead of fov: mm on a 36 mm wide sensor; 35 if neither is given"},
     };
     return table;
 }
@@ -99,14 +104,16 @@ const OptionTable<Material>& materialOptions() {
          "picture whose channels multiply roughness and metallic"},
         {"roughness_from", choice<M>(channelNames(), &M::roughnessFrom), kNone,
          "channel of that picture; 1-r reads a glossiness from red"},
-        {"metallic_from", choice<M>(channelNames(), &M::metallicFrom), kNone, "channel of that picture"},
+        {"metallic_from", choice<M>(channelNames(), &M::metallicFrom), kNone,
+         "channel of that picture"},
         {"normal_texture", TextureMember<M>{&M::normalTexture}, kNone,
          "picture of tangent-space normals, +Y up"},
         {"normal_scale", &M::normalScale, {-10, 10}, "how strongly it bends the normals"},
         {"occlusion_texture", TextureMember<M>{&M::occlusionTexture}, kNone,
          "picture whose red channel dims ambient light"},
         {"occlusion_strength", &M::occlusionStrength, kUnit, "how much of that"},
-        {"emission_texture", TextureMember<M>{&M::emissionTexture}, kNone, "picture, times emission"},
+        {"emission_texture", TextureMember<M>{&M::emissionTexture}, kNone,
+         "picture, times emission"},
         {"snippet", &M::snippet, kNone, "NAME.mat.glsl with `void material(inout Surface s)`"},
     };
     return table;
@@ -132,8 +139,9 @@ const OptionTable<SphereShape>& sphereOptions() {
 }
 
 const OptionTable<PlaneShape>& planeOptions() {
-    static const OptionTable<PlaneShape> table{
-        {"size", ScaleMember<PlaneShape>{&PlaneShape::size}, kNotNegative, "edges along x and z, m; y is not used"}};
+    static const OptionTable<PlaneShape> table{{"size", ScaleMember<PlaneShape>{&PlaneShape::size},
+                                                kNotNegative,
+                                                "edges along x and z, m; y is not used"}};
     return table;
 }
 

@@ -13,7 +13,9 @@
 namespace vitrine {
 namespace {
 
-std::string textOf(const glm::vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
+std::string textOf(const glm::vec3& v) {
+    return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
+}
 
 /// What an option's member holds, as it would be written in a scene.
 template <class T>
@@ -53,7 +55,8 @@ std::string otherValue(const Option<T>& option) {
         if constexpr (std::is_same_v<M, float T::*>) return fmt::format("{}", inside(r, 3));
         if constexpr (std::is_same_v<M, int T::*>)
             return fmt::format("{}", static_cast<int>(inside(r, 3)));
-        if constexpr (std::is_same_v<M, bool T::*>) return valueOf(option, T{}) == "true" ? "false" : "true";
+        if constexpr (std::is_same_v<M, bool T::*>)
+            return valueOf(option, T{}) == "true" ? "false" : "true";
         if constexpr (std::is_same_v<M, ChoiceMember<T>>) {
             for (const std::string& word : member.words)
                 if (valueOf(option, T{}) != "\"" + word + "\"") return "\"" + word + "\"";
@@ -81,8 +84,9 @@ struct Place {
 template <class T>
 void checkTable(const OptionTable<T>& options, const Place<T>& place) {
     // Things that references may name.
-    const std::string others = "[material.other]\n[shape.other]\nsphere = {}\n"
-                               "[[node]]\nname = \"other\"\n";
+    const std::string others =
+        "[material.other]\n[shape.other]\nsphere = {}\n"
+        "[[node]]\nname = \"other\"\n";
     const auto parse = [&](const std::string& assignment, Diagnostics& diagnostics) {
         const bool light = assignment.rfind("at =", 0) == 0 && place.before.find("[[light]]") == 0;
         const std::string text = others + place.before + (light ? "type = \"point\"\n" : "") +
@@ -112,9 +116,9 @@ void checkTable(const OptionTable<T>& options, const Place<T>& place) {
             const std::string number = fmt::format("{}", limit + step);
             Diagnostics outside;
             const bool vector = valueOf(option, T{})[0] == '[';
-            const T same =
-                parse(option.key + " = " + (vector ? fmt::format("[{0}, {0}, {0}]", number) : number),
-                      outside);
+            const T same = parse(
+                option.key + " = " + (vector ? fmt::format("[{0}, {0}, {0}]", number) : number),
+                outside);
             EXPECT_NE(outside.text().find(fmt::format("{} is {}; it must be ", option.key, number)),
                       std::string::npos)
                 << outside.text();

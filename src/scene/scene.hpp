@@ -4,8 +4,8 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -164,8 +164,8 @@ struct Node {
 };
 
 struct Scene {
-    std::string file;                ///< for messages
-    std::filesystem::path folder;    ///< where references to files start, and which they stay inside
+    std::string file;              ///< for messages
+    std::filesystem::path folder;  ///< where references to files start, and which they stay inside
     std::string title, description;
     RenderSettings render;
     std::vector<Camera> cameras;

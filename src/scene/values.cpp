@@ -20,7 +20,9 @@ bool readHexColor(const std::string& text, glm::vec3& rgb) {
     return true;
 }
 
-bool inRange(double value, Range range) { return value >= range.minimum && value <= range.maximum; }
+bool inRange(double value, Range range) {
+    return value >= range.minimum && value <= range.maximum;
+}
 
 /// What would have been right, for a value that is out of range. The limits of all numbers are
 /// only worth a word to those who meet them.
@@ -46,9 +48,8 @@ bool readNumber(const toml::node& node, const std::string& what, Range range, do
         return false;
     }
     if (!inRange(value, range)) {
-        diagnostics.error(placeOf(node),
-                          fmt::format("{} is {}; it must be {}", what, value,
-                                      rangeText(range, value)));
+        diagnostics.error(placeOf(node), fmt::format("{} is {}; it must be {}", what, value,
+                                                     rangeText(range, value)));
         return false;
     }
     out = value;
@@ -59,7 +60,8 @@ bool readVector(const toml::node& node, const std::string& what, Range range, gl
                 Diagnostics& diagnostics) {
     const toml::array* array = node.as_array();
     if (array == nullptr || array->size() != 3) {
-        diagnostics.error(placeOf(node), fmt::format("{} must be three numbers, as in [0, 1, 2]", what));
+        diagnostics.error(placeOf(node),
+                          fmt::format("{} must be three numbers, as in [0, 1, 2]", what));
         return false;
     }
     glm::vec3 result;
@@ -101,7 +103,8 @@ void readParameters(const toml::node& node, const std::string& what,
                     std::vector<ParameterValue>& out, Diagnostics& diagnostics) {
     const toml::table* table = node.as_table();
     if (table == nullptr) {
-        diagnostics.error(placeOf(node), fmt::format("{} must be a table, as in {{ size = 0.5 }}", what));
+        diagnostics.error(placeOf(node),
+                          fmt::format("{} must be a table, as in {{ size = 0.5 }}", what));
         return;
     }
     for (const auto& [key, value] : *table) {
@@ -120,7 +123,8 @@ void readParameters(const toml::node& node, const std::string& what,
             bool good = true;
             for (int i = 0; i < parameter.components; ++i) {
                 double component = 0;
-                good &= readNumber(*array->get(static_cast<size_t>(i)), name, {}, component, diagnostics);
+                good &= readNumber(*array->get(static_cast<size_t>(i)), name, {}, component,
+                                   diagnostics);
                 parameter.value[i] = static_cast<float>(component);
             }
             if (!good) continue;

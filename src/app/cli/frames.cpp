@@ -46,7 +46,8 @@ std::pair<int, int> parseResolution(const std::string& text) {
     const bool cross = takeSign(rest, 'x');
     const int height = takeNumber(rest);
     if (!cross || !rest.empty() || width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
-        throw UsageError(fmt::format("-r: '{}' is not WIDTHxHEIGHT, each from 1 to {}", text, kMaxSide));
+        throw UsageError(
+            fmt::format("-r: '{}' is not WIDTHxHEIGHT, each from 1 to {}", text, kMaxSide));
     return {width, height};
 }
 
@@ -56,7 +57,8 @@ std::string frameFileName(const std::string& pattern, int frame) {
         throw UsageError(fmt::format("-o: '{}' needs #### where the frame's number goes", pattern));
     size_t end = first;
     while (end < pattern.size() && pattern[end] == '#') ++end;
-    return pattern.substr(0, first) + fmt::format("{:0{}}", frame, end - first) + pattern.substr(end);
+    return pattern.substr(0, first) + fmt::format("{:0{}}", frame, end - first) +
+           pattern.substr(end);
 }
 
 }  // namespace vitrine

@@ -20,7 +20,8 @@ TEST(Frames, Ranges) {
 
 TEST(Frames, Resolutions) {
     EXPECT_EQ(parseResolution("1920x1200"), std::make_pair(1920, 1200));
-    for (const char* bad : {"", "x", "1920", "1920x", "0x10", "10x0", "1920X1200", "20000x10", "1x1x1"})
+    for (const char* bad :
+         {"", "x", "1920", "1920x", "0x10", "10x0", "1920X1200", "20000x10", "1x1x1"})
         EXPECT_THROW(parseResolution(bad), UsageError) << bad;
 }
 

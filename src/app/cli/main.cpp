@@ -22,13 +22,16 @@ void addOverrides(CLI::App& command, std::vector<std::string>& overrides) {
 
 void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen) {
     CLI::App* c = app.add_subcommand("render", "draw a scene into a picture");
-    c->add_option("FILE", o.file, "a scene (.toml), a model (.obj) or a field (.sdf.glsl)")->required();
+    c->add_option("FILE", o.file, "a scene (.toml), a model (.obj) or a field (.sdf.glsl)")
+        ->required();
     c->add_option("-o,--output", o.output, "name.png, or name_####.png with --frames")->required();
     c->add_option("-r,--resolution", o.resolution, "width x height")->capture_default_str();
     c->add_option("--spp", o.samples, "samples a pixel")->check(CLI::Range(1, 65536));
     c->add_option("--time", o.time, "seconds");
     c->add_option("--frames", o.frames, "A-B or A-B:STEP: a picture each");
-    c->add_option("--fps", o.fps, "frames a second")->check(CLI::Range(0.001, 10000.0))->capture_default_str();
+    c->add_option("--fps", o.fps, "frames a second")
+        ->check(CLI::Range(0.001, 10000.0))
+        ->capture_default_str();
     c->add_option("--camera", o.camera, "the camera of this name");
     c->add_option("--view", o.view, fmt::format("what to show: {}", fmt::join(viewNames(), " ")))
         ->capture_default_str();
@@ -38,7 +41,8 @@ void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen)
     c->add_option("--primary", o.primary, "who finds what the camera sees")
         ->check(CLI::IsMember({"raster", "trace"}))
         ->capture_default_str();
-    c->add_option("--seed", o.seed, "start of the random numbers")->check(CLI::Range(0, 2147483647));
+    c->add_option("--seed", o.seed, "start of the random numbers")
+        ->check(CLI::Range(0, 2147483647));
     c->add_option("--json", o.json, "write numbers about the rendering to this file, or - ");
     addOverrides(*c, o.overrides);
     o.version = VITRINE_VERSION;
@@ -89,7 +93,8 @@ int show(const std::string& version) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app{"Vitrine: meshes and distance fields in one scene, and every ray sees both", "vitrine"};
+    CLI::App app{"Vitrine: meshes and distance fields in one scene, and every ray sees both",
+                 "vitrine"};
     app.set_version_flag("--version", "vitrine " VITRINE_VERSION);
     app.require_subcommand(0, 1);
     std::function<int()> chosen = [] { return show(VITRINE_VERSION); };

@@ -96,9 +96,9 @@ int render(const RenderOptions& options) {
     }
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (!options.json.empty())
-        writeJson(options.json, describe(loaded, renderer, picture, samples, elapsed.count(),
-                                         options.version)
-                                    .dump(2));
+        writeJson(
+            options.json,
+            describe(loaded, renderer, picture, samples, elapsed.count(), options.version).dump(2));
     return 0;
 }
 

@@ -76,8 +76,9 @@ std::optional<Aabb> boundsOf(const std::filesystem::path& file, Diagnostics& dia
         parseSnippet(readFile(file, kMaxSnippetBytes), name, SnippetKind::kField, diagnostics);
     if (!field) return {};
     if (!field->bounds)
-        diagnostics.error({name}, "the field needs its bounds: add a line such as "
-                                  "`// bounds[-1, -1, -1,  1, 1, 1]`");
+        diagnostics.error({name},
+                          "the field needs its bounds: add a line such as "
+                          "`// bounds[-1, -1, -1,  1, 1, 1]`");
     return field->bounds;
 }
 
@@ -87,7 +88,8 @@ bool isBareFile(const std::filesystem::path& file) {
     return endsWith(file.string(), ".obj") || endsWith(file.string(), ".sdf.glsl");
 }
 
-std::optional<std::string> sceneAround(const std::filesystem::path& file, Diagnostics& diagnostics) {
+std::optional<std::string> sceneAround(const std::filesystem::path& file,
+                                       Diagnostics& diagnostics) {
     const std::string name = file.filename().string();
     if (name.find_first_of("'\n\r") != std::string::npos)
         throw InputError({file.string()}, "the file's name has a quote or a line end in it");
@@ -100,13 +102,12 @@ std::optional<std::string> sceneAround(const std::filesystem::path& file, Diagno
     const float plinthHeight = 0.35f * radius;
     const glm::vec3 toEye = glm::normalize(glm::vec3(0.62f, 0.42f, 1.0f)) * (4.4f * radius);
     using namespace fmt::literals;
-    return fmt::format(
-        kScene, "name"_a = name, "kind"_a = endsWith(name, ".obj") ? "mesh" : "sdf",
-        "eyeX"_a = toEye.x, "eyeY"_a = toEye.y + 0.5f * size.y, "eyeZ"_a = toEye.z,
-        "targetY"_a = 0.46f * size.y, "x"_a = -centre.x, "y"_a = -box->min.y, "z"_a = -centre.z,
-        "plinthRadius"_a = plinthRadius, "plinthHeight"_a = plinthHeight,
-        "plinthY"_a = -0.5f * plinthHeight, "floorY"_a = -plinthHeight,
-        "floorSize"_a = 60 * radius);
+    return fmt::format(kScene, "name"_a = name, "kind"_a = endsWith(name, ".obj") ? "mesh" : "sdf",
+                       "eyeX"_a = toEye.x, "eyeY"_a = toEye.y + 0.5f * size.y, "eyeZ"_a = toEye.z,
+                       "targetY"_a = 0.46f * size.y, "x"_a = -centre.x, "y"_a = -box->min.y,
+                       "z"_a = -centre.z, "plinthRadius"_a = plinthRadius,
+                       "plinthHeight"_a = plinthHeight, "plinthY"_a = -0.5f * plinthHeight,
+                       "floorY"_a = -plinthHeight, "floorSize"_a = 60 * radius);
 }
 
 }  // namespace vitrine

@@ -20,7 +20,8 @@ LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::st
     } else if (endsWith(file.string(), ".toml")) {
         loaded.scene = loadScene(file, overrides, diagnostics);
     } else {
-        throw InputError({file.string()}, "not a scene (.toml), a model (.obj) or a field (.sdf.glsl)");
+        throw InputError({file.string()},
+                         "not a scene (.toml), a model (.obj) or a field (.sdf.glsl)");
     }
     loaded.assets = loadAssets(loaded.scene, diagnostics);
     loaded.packed = packScene(loaded.scene, loaded.assets, diagnostics);
