@@ -12,7 +12,8 @@
 namespace vitrine {
 
 /// The bytes of a regular file (never a pipe, a device or a folder).
-/// Throws InputError, placed at `path`, if it is missing, not regular, unreadable or over `maxBytes`.
+/// Throws InputError, placed at `path`, if it is missing, not regular, unreadable or over
+/// `maxBytes`.
 std::string readFile(const std::filesystem::path& path, uint64_t maxBytes);
 
 /// Where `reference`, written in a file of the folder `root`, points. Throws std::invalid_argument

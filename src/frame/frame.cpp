@@ -22,8 +22,8 @@ void Frame::update(const PackedScene& scene) {
 }
 
 void Frame::begin(const FrameRequest& request) {
-    const bool resized = request.width != request_.width || request.height != request_.height ||
-                         !picture_.valid();
+    const bool resized =
+        request.width != request_.width || request.height != request_.height || !picture_.valid();
     request_ = request;
     sample_ = 0;
     statistics_ = {};

@@ -24,8 +24,8 @@ struct FrameRequest {
 /// Sums over all samples drawn since begin(). Ray counts need counters.
 struct FrameStatistics {
     uint64_t primaryRays = 0, shadowRays = 0, bounceRays = 0;
-    uint64_t nodes = 0;  ///< nodes and triangles visited
-    uint64_t steps = 0;  ///< evaluations of fields
+    uint64_t nodes = 0;             ///< nodes and triangles visited
+    uint64_t steps = 0;             ///< evaluations of fields
     uint32_t largestLoopCount = 0;  ///< loop iterations of one pixel in one pass
     std::map<std::string, double> secondsByPass;
 };

@@ -5,7 +5,8 @@ namespace vitrine {
 
 void accumulatePass(PassContext& context, const Texture& radiance, const Texture& before,
                     Texture& after) {
-    context.run("accumulate", {{{"radiance", &radiance}, {"meanBefore", &before}}, {}, {{"outMean", &after}}});
+    context.run("accumulate",
+                {{{"radiance", &radiance}, {"meanBefore", &before}}, {}, {{"outMean", &after}}});
 }
 
 }  // namespace vitrine

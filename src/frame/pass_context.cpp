@@ -17,9 +17,9 @@ void PassContext::run(const std::string& pass, PassImages images) {
     const Program& program = programs.get(pass);
     images.buffers = scene.bindings();
     const auto& shaders = passShaders();
-    const bool counts = counting && std::any_of(shaders.begin(), shaders.end(), [&](const PassShader& s) {
-                            return s.name == pass && s.traces;
-                        });
+    const bool counts =
+        counting && std::any_of(shaders.begin(), shaders.end(),
+                                [&](const PassShader& s) { return s.name == pass && s.traces; });
     if (counts) {
         images.inputs.emplace_back("countersBefore", &counters[0]);
         images.outputs.emplace_back("outCounters", &counters[1]);

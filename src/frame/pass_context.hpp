@@ -28,8 +28,8 @@ class PassContext {
     FrameBlock block{};
     GpuScene scene;
     ProgramSet programs;
-    const bool counting;                ///< passes that trace keep counts
-    std::array<Texture, 2> counters;    ///< of this sample; [0] is the latest
+    const bool counting;              ///< passes that trace keep counts
+    std::array<Texture, 2> counters;  ///< of this sample; [0] is the latest
     PassTimer& timer() { return timer_; }
     bool timing = false;
 

@@ -3,7 +3,8 @@
 
 namespace vitrine {
 
-void lightPass(PassContext& context, const PathImages& path, const Texture& before, Texture& after) {
+void lightPass(PassContext& context, const PathImages& path, const Texture& before,
+               Texture& after) {
     context.run("light", {{{"records", &path.records},
                            {"pathOrigin", &path.origin},
                            {"pathDirection", &path.direction},

@@ -29,7 +29,8 @@ void RayQuery::prepare(std::span<const QueryRay> rays) {
         origins_ = Texture(kImageWidth, height, TexelFormat::kRgba32f);
         directions_ = Texture(kImageWidth, height, TexelFormat::kRgba32f);
         records_ = Texture(kImageWidth, height, TexelFormat::kRgba32ui);
-        for (Texture& t : context_.counters) t = Texture(kImageWidth, height, TexelFormat::kRgba32ui);
+        for (Texture& t : context_.counters)
+            t = Texture(kImageWidth, height, TexelFormat::kRgba32ui);
     }
     // What is left of the last row has no length, and so ends at once.
     std::vector<glm::vec4> origins(static_cast<size_t>(kImageWidth) * height, glm::vec4(0));

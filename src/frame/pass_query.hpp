@@ -25,10 +25,13 @@ struct QueryCounts {
 
 class RayQuery {
   public:
-    RayQuery(const Context& context, const PackedScene& scene, Backend backend, bool counters = false);
+    RayQuery(const Context& context, const PackedScene& scene, Backend backend,
+             bool counters = false);
 
     /// A hit record a ray (pack/hit_record.hpp).
-    std::vector<glm::uvec4> closest(std::span<const QueryRay> rays) { return ask("query_closest", rays); }
+    std::vector<glm::uvec4> closest(std::span<const QueryRay> rays) {
+        return ask("query_closest", rays);
+    }
     /// A record of any surface on the way, or of a miss.
     std::vector<glm::uvec4> any(std::span<const QueryRay> rays) { return ask("query_any", rays); }
 

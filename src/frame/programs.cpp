@@ -11,7 +11,8 @@ namespace {
 
 Backend chooseBackend(const GpuInfo& gpu, Backend wanted) {
     if (wanted == Backend::kCompute && !gpu.compute)
-        throw MachineError(fmt::format("'{}' has no compute shaders; use --backend fragment", gpu.renderer));
+        throw MachineError(
+            fmt::format("'{}' has no compute shaders; use --backend fragment", gpu.renderer));
     if (wanted != Backend::kAuto) return wanted;
     return gpu.compute && !gpu.software ? Backend::kCompute : Backend::kFragment;
 }
@@ -30,11 +31,10 @@ std::string describeOwnError(const ShaderError& error) {
 }  // namespace
 
 const std::vector<PassShader>& passShaders() {
-    static const std::vector<PassShader> passes{{"visibility", true}, {"light", true},
-                                                {"bounce", true},     {"accumulate", false},
-                                                {"display", false},   {"view", false},
-                                                {"check_snippet", false},
-                                                {"query_closest", true}, {"query_any", true}};
+    static const std::vector<PassShader> passes{
+        {"visibility", true},     {"light", true},         {"bounce", true},
+        {"accumulate", false},    {"display", false},      {"view", false},
+        {"check_snippet", false}, {"query_closest", true}, {"query_any", true}};
     return passes;
 }
 

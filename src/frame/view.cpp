@@ -24,8 +24,12 @@ std::optional<View> viewByName(const std::string& name) {
     return static_cast<View>(found - names.begin());
 }
 
-bool showsCounters(View view) { return view >= View::kSteps; }
+bool showsCounters(View view) {
+    return view >= View::kSteps;
+}
 
-bool showsRecords(View view) { return view >= View::kAlbedo && view <= View::kMaterial; }
+bool showsRecords(View view) {
+    return view >= View::kAlbedo && view <= View::kMaterial;
+}
 
 }  // namespace vitrine

@@ -121,7 +121,9 @@ std::unique_ptr<Context> Context::createHeadless() {
     throw MachineError(kInstallHint);
 }
 
-void finishGpu() { glFinish(); }
+void finishGpu() {
+    glFinish();
+}
 
 void checkGl(const char* what) {
     const GLenum error = glGetError();

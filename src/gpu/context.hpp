@@ -12,9 +12,9 @@ namespace vitrine {
 
 struct GpuInfo {
     std::string renderer, vendor, version;
-    int glslVersion = 450;       ///< 450 or 410
-    bool compute = true;         ///< compute shaders exist (GL 4.3)
-    bool software = false;       ///< the "GPU" is this machine's CPU
+    int glslVersion = 450;  ///< 450 or 410
+    bool compute = true;    ///< compute shaders exist (GL 4.3)
+    bool software = false;  ///< the "GPU" is this machine's CPU
     int maxTextureBufferTexels = 0;
     int maxTextureSize = 0;
 };

@@ -14,10 +14,14 @@ constexpr int kGroupSize = 8;  // local_size_x and _y of every entry/*.comp.glsl
 
 GLenum imageFormat(TexelFormat format) {
     switch (format) {
-        case TexelFormat::kRgba8: return GL_RGBA8;
-        case TexelFormat::kRgba16f: return GL_RGBA16F;
-        case TexelFormat::kRgba32f: return GL_RGBA32F;
-        case TexelFormat::kRgba32ui: return GL_RGBA32UI;
+        case TexelFormat::kRgba8:
+            return GL_RGBA8;
+        case TexelFormat::kRgba16f:
+            return GL_RGBA16F;
+        case TexelFormat::kRgba32f:
+            return GL_RGBA32F;
+        case TexelFormat::kRgba32ui:
+            return GL_RGBA32UI;
     }
     return GL_RGBA8;
 }
@@ -86,7 +90,9 @@ void PassRunner::dispatch(const Program& program, const PassImages& images) {
         glBindImageTexture(static_cast<GLuint>(unit), texture->id(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
                            imageFormat(texture->format()));
     }
-    const auto groups = [](int size) { return static_cast<GLuint>((size + kGroupSize - 1) / kGroupSize); };
+    const auto groups = [](int size) {
+        return static_cast<GLuint>((size + kGroupSize - 1) / kGroupSize);
+    };
     const Texture& target = *images.outputs[0].second;
     glDispatchCompute(groups(target.width()), groups(target.height()), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |

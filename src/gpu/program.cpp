@@ -8,7 +8,8 @@
 namespace vitrine {
 namespace {
 
-void attach(unsigned program, GLenum type, const ShaderKey& key, const GeneratedIncludes& generated) {
+void attach(unsigned program, GLenum type, const ShaderKey& key,
+            const GeneratedIncludes& generated) {
     AssembledShader source = assembleShader(key, generated);
     const GLuint shader = glCreateShader(type);
     const char* text = source.text.c_str();
@@ -33,12 +34,16 @@ bool isSampler(GLenum type) {
         case GL_SAMPLER_2D:
         case GL_UNSIGNED_INT_SAMPLER_2D:
         case GL_SAMPLER_BUFFER:
-        case GL_UNSIGNED_INT_SAMPLER_BUFFER: return true;
-        default: return false;
+        case GL_UNSIGNED_INT_SAMPLER_BUFFER:
+            return true;
+        default:
+            return false;
     }
 }
 
-bool isImage(GLenum type) { return type == GL_IMAGE_2D || type == GL_UNSIGNED_INT_IMAGE_2D; }
+bool isImage(GLenum type) {
+    return type == GL_IMAGE_2D || type == GL_UNSIGNED_INT_IMAGE_2D;
+}
 
 }  // namespace
 
@@ -106,9 +111,13 @@ int Program::outputLocation(const std::string& name) const {
     return compute_ ? unit(name) : glGetFragDataLocation(id_, name.c_str());
 }
 
-Program::~Program() { release(); }
+Program::~Program() {
+    release();
+}
 
-Program::Program(Program&& other) noexcept { *this = std::move(other); }
+Program::Program(Program&& other) noexcept {
+    *this = std::move(other);
+}
 
 Program& Program::operator=(Program&& other) noexcept {
     if (this != &other) {

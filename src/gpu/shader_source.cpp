@@ -16,23 +16,32 @@ std::string prelude(const ShaderKey& key) {
     std::string text;
     switch (key.dialect) {
         case Dialect::kEs300:
-            text = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
-                   "precision highp sampler2D;\nprecision highp usampler2D;\n#define precise\n";
+            text =
+                "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+                "precision highp sampler2D;\nprecision highp usampler2D;\n#define precise\n";
             break;
-        case Dialect::kGl410: text = "#version 410 core\n"; break;
-        case Dialect::kGl450: text = "#version 450 core\n"; break;
+        case Dialect::kGl410:
+            text = "#version 410 core\n";
+            break;
+        case Dialect::kGl450:
+            text = "#version 450 core\n";
+            break;
     }
     // GLSL ES 3.00 has no buffer textures: scene data come from 2-D textures there.
     text += fmt::format("#define DIALECT_ES {}\n", key.dialect == Dialect::kEs300 ? 1 : 0);
-    for (const auto& [name, value] : key.defines) text += fmt::format("#define {} {}\n", name, value);
+    for (const auto& [name, value] : key.defines)
+        text += fmt::format("#define {} {}\n", name, value);
     return text;
 }
 
 std::string_view stageSuffix(ShaderStage stage) {
     switch (stage) {
-        case ShaderStage::kVertex: return "vert";
-        case ShaderStage::kFragment: return "frag";
-        case ShaderStage::kCompute: return "comp";
+        case ShaderStage::kVertex:
+            return "vert";
+        case ShaderStage::kFragment:
+            return "frag";
+        case ShaderStage::kCompute:
+            return "comp";
     }
     return "";
 }
@@ -82,8 +91,8 @@ class Assembler {
         const auto file = std::find_if(files.begin(), files.end(),
                                        [&](const EmbeddedShader& f) { return f.name == name; });
         if (file == files.end())
-            throw std::logic_error(
-                fmt::format("shader file '{}' (included from '{}') does not exist", name, includedFrom));
+            throw std::logic_error(fmt::format(
+                "shader file '{}' (included from '{}') does not exist", name, includedFrom));
         return file->text;
     }
 
@@ -103,8 +112,7 @@ std::string ShaderKey::text() const {
 AssembledShader assembleShader(const ShaderKey& key, const GeneratedIncludes& generated) {
     Assembler assembler(generated);
     const std::string head = prelude(key);
-    for (const std::string_view line : splitLines(head))
-        assembler.addLine(line, {"prelude", 0, 0});
+    for (const std::string_view line : splitLines(head)) assembler.addLine(line, {"prelude", 0, 0});
     assembler.addFile(fmt::format("entry/{}.{}.glsl", key.entry, stageSuffix(key.stage)), "");
     return assembler.take();
 }

@@ -19,10 +19,14 @@ struct FormatInfo {
 
 FormatInfo formatInfo(TexelFormat format) {
     switch (format) {
-        case TexelFormat::kRgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
-        case TexelFormat::kRgba16f: return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
-        case TexelFormat::kRgba32f: return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
-        case TexelFormat::kRgba32ui: return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+        case TexelFormat::kRgba8:
+            return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+        case TexelFormat::kRgba16f:
+            return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
+        case TexelFormat::kRgba32f:
+            return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+        case TexelFormat::kRgba32ui:
+            return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
     }
     return {};
 }
@@ -54,9 +58,13 @@ Texture::Texture(int width, int height, TexelFormat format)
     checkGl("allocating an image");
 }
 
-Texture::~Texture() { release(); }
+Texture::~Texture() {
+    release();
+}
 
-Texture::Texture(Texture&& other) noexcept { *this = std::move(other); }
+Texture::Texture(Texture&& other) noexcept {
+    *this = std::move(other);
+}
 
 Texture& Texture::operator=(Texture&& other) noexcept {
     if (this != &other) {
@@ -94,7 +102,8 @@ void Texture::write(std::span<const std::byte> bytes) {
     assert(bytes.size() % (static_cast<size_t>(width_) * height_) == 0);
     glBindTexture(GL_TEXTURE_2D, id_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, info.external, info.type, bytes.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, info.external, info.type,
+                    bytes.data());
     checkGl("uploading an image");
 }
 
@@ -118,9 +127,13 @@ TexelBuffer::TexelBuffer(TexelFormat format) : format_(format) {
     glGenTextures(1, &texture_);
 }
 
-TexelBuffer::~TexelBuffer() { release(); }
+TexelBuffer::~TexelBuffer() {
+    release();
+}
 
-TexelBuffer::TexelBuffer(TexelBuffer&& other) noexcept { *this = std::move(other); }
+TexelBuffer::TexelBuffer(TexelBuffer&& other) noexcept {
+    *this = std::move(other);
+}
 
 TexelBuffer& TexelBuffer::operator=(TexelBuffer&& other) noexcept {
     if (this != &other) {
@@ -145,8 +158,9 @@ void TexelBuffer::upload(std::span<const std::byte> bytes) {
     GLint limit = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
     if (bytes.size() / 16 > static_cast<size_t>(limit))
-        throw MachineError(fmt::format(
-            "the scene needs a buffer of {} texels; this driver allows {}", bytes.size() / 16, limit));
+        throw MachineError(
+            fmt::format("the scene needs a buffer of {} texels; this driver allows {}",
+                        bytes.size() / 16, limit));
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
     glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
                  GL_STATIC_DRAW);
@@ -156,9 +170,13 @@ void TexelBuffer::upload(std::span<const std::byte> bytes) {
     checkGl("uploading the scene");
 }
 
-UniformBlock::UniformBlock() { glGenBuffers(1, &id_); }
+UniformBlock::UniformBlock() {
+    glGenBuffers(1, &id_);
+}
 
-UniformBlock::~UniformBlock() { glDeleteBuffers(1, &id_); }
+UniformBlock::~UniformBlock() {
+    glDeleteBuffers(1, &id_);
+}
 
 void UniformBlock::upload(std::span<const std::byte> bytes) {
     glBindBuffer(GL_UNIFORM_BUFFER, id_);

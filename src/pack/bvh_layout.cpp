@@ -16,10 +16,13 @@ namespace {
 constexpr uint32_t kLeafFlag = 0x80;
 constexpr uint32_t kLargestOffset = 0x7e;  // seven bits hold 1 + offset
 
-float stepOf(uint32_t exponent) { return std::bit_cast<float>(exponent << 23); }
+float stepOf(uint32_t exponent) {
+    return std::bit_cast<float>(exponent << 23);
+}
 
 glm::uvec3 bitsOf(const glm::vec3& v) {
-    return {std::bit_cast<uint32_t>(v.x), std::bit_cast<uint32_t>(v.y), std::bit_cast<uint32_t>(v.z)};
+    return {std::bit_cast<uint32_t>(v.x), std::bit_cast<uint32_t>(v.y),
+            std::bit_cast<uint32_t>(v.z)};
 }
 
 /// The largest step number whose plane is not above `value`, and the smallest not below, as the
@@ -54,7 +57,8 @@ QuantisedNode quantise(std::span<const Aabb> children) {
             const uint32_t shift = 8 * static_cast<uint32_t>(i);
             node.low[axis] |= lowStep(box.min[axis], step, children[i].min[axis]) << shift;
             node.high[axis] |=
-                static_cast<uint32_t>(highStep(box.min[axis], step, children[i].max[axis])) << shift;
+                static_cast<uint32_t>(highStep(box.min[axis], step, children[i].max[axis]))
+                << shift;
         }
     }
     return node;
@@ -78,7 +82,9 @@ template <class WriteItem>
 uint32_t BvhLayout::add(const Bvh& bvh, int& stackBound, const WriteItem& writeItem) {
     const std::vector<WideNode> wide = collapse4(bvh);
     stackBound = std::max(stackBound, wideStackBound(wide));
-    const auto slotCount = [&] { return static_cast<uint32_t>(texels_.size() / VITRINE_SLOT_TEXELS); };
+    const auto slotCount = [&] {
+        return static_cast<uint32_t>(texels_.size() / VITRINE_SLOT_TEXELS);
+    };
     const auto root = slotCount();
     texels_.resize(texels_.size() + VITRINE_SLOT_TEXELS);
     struct Pending {

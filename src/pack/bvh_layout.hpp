@@ -38,8 +38,8 @@ class BvhLayout {
 /// A node's boxes in 8 bits a plane.
 struct QuantisedNode {
     glm::vec3 origin;
-    glm::uvec3 exponents;   ///< of the grid's step, biased by 127 as in a float
-    glm::uvec3 low, high;   ///< by axis; one byte a child
+    glm::uvec3 exponents;  ///< of the grid's step, biased by 127 as in a float
+    glm::uvec3 low, high;  ///< by axis; one byte a child
 };
 
 /// Every quantised box contains its original. Boxes must be finite.

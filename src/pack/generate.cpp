@@ -12,9 +12,8 @@ constexpr int kLoopBudget = 1024;
 constexpr const char* kGuard =
     "int snippetLoops = 0;\n"
     "bool snippetLoop() {{\n"
-    "    COUNT(countedLoops);\n"
     "    snippetLoops++;\n"
-    "    return snippetLoops <= {};\n"
+    "    return snippetLoops <= {} && mayLoop();\n"
     "}}\n";
 
 std::string globalName(const std::string& prefix, int index) {
@@ -23,7 +22,8 @@ std::string globalName(const std::string& prefix, int index) {
 
 /// Globals that hold the parameters while a snippet runs, and the function that fills them. They
 /// are read once an instance, not once a call: reading is dear inside a marching loop.
-std::string bindFunction(const Snippet& snippet, const std::string& values, const std::string& name) {
+std::string bindFunction(const Snippet& snippet, const std::string& values,
+                         const std::string& name) {
     std::string globals, body;
     for (size_t i = 0; i < snippet.parameters.size(); ++i) {
         const ParameterType type = snippet.parameters[i].type;
@@ -69,8 +69,8 @@ GeneratedShaders generateShaders(const std::vector<std::shared_ptr<const Snippet
         const std::string tag = fmt::format("f{}", i);
         text += emit(fields[i], tag, out);
         const std::string entry = emittedName(tag + "_", fields[i]->entry);
-        const std::string value = fields[i]->entryReturnsPart ? entry + "(p)"
-                                                              : fmt::format("vec2({}(p), 0.0)", entry);
+        const std::string value =
+            fields[i]->entryReturnsPart ? entry + "(p)" : fmt::format("vec2({}(p), 0.0)", entry);
         bind += fmt::format("    if (shape == {}) {}bind(base);\n", i, tag);
         call += fmt::format("    if (shape == {}) return {};\n", i, value);
     }
@@ -84,11 +84,13 @@ GeneratedShaders generateShaders(const std::vector<std::shared_ptr<const Snippet
     for (size_t i = 0; i < materials.size(); ++i) {
         const std::string tag = fmt::format("m{}", i);
         text += emit(materials[i], tag, out);
-        call += fmt::format("    if (number == {}) {{\n        {}bind(base);\n        {}(s);\n    }}\n",
-                            i + 1, tag, emittedName(tag + "_", materials[i]->entry));
+        call +=
+            fmt::format("    if (number == {}) {{\n        {}bind(base);\n        {}(s);\n    }}\n",
+                        i + 1, tag, emittedName(tag + "_", materials[i]->entry));
     }
-    text += "void evaluateMaterial(int number, inout Surface s, int base) {\n    snippetLoops = 0;\n" +
-            call + "}\n";
+    text +=
+        "void evaluateMaterial(int number, inout Surface s, int base) {\n    snippetLoops = 0;\n" +
+        call + "}\n";
     out.includes["generated/material.glsl"] = text;
     return out;
 }

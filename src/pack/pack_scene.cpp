@@ -26,8 +26,21 @@ std::array<glm::vec4, 3> rowsOf(const glm::mat4& m) {
     return {t[0], t[1], t[2]};
 }
 
+/// Scales that multiply down a chain of parents leave the range of floats, where boxes and
+/// inverses are no numbers.
+bool isUsable(const glm::mat4& worldFromObject) {
+    const glm::mat4 inverse = glm::inverse(worldFromObject);
+    for (int column = 0; column < 4; ++column)
+        for (const glm::mat4* m : {&worldFromObject, &inverse}) {
+            const glm::vec3 v((*m)[column]);
+            if (!isFinite(v) || glm::length(v) > kMaxCoordinate) return false;
+        }
+    return true;
+}
+
 glm::vec4 texel(int x, int y = 0, int z = 0, int w = 0) {
-    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), static_cast<float>(w)};
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z),
+            static_cast<float>(w)};
 }
 
 /// Builds the arrays in the order in which they depend on each other.
@@ -84,8 +97,8 @@ class Packer {
             int snippet = 0, parameters = 0;
             if (const auto& asset = assets_.materials[i]) {
                 snippet = materialNumber(asset);
-                parameters = addParameters(
-                    parameterValues(*asset, scene_.materials[i].set, diagnostics_));
+                parameters =
+                    addParameters(parameterValues(*asset, scene_.materials[i].set, diagnostics_));
             } else if (!scene_.materials[i].set.empty() && scene_.materials[i].snippet.empty()) {
                 diagnostics_.error(scene_.materials[i].set[0].where,
                                    "set gives parameters to a snippet, but the material has none");
@@ -107,7 +120,8 @@ class Packer {
         for (const Light& light : scene_.lights) {
             const bool sun = light.type == LightType::kSun;
             const glm::vec3 place = sun ? glm::normalize(light.direction) : light.at;
-            lights_.emplace_back(place, static_cast<float>(sun ? VITRINE_LIGHT_SUN : VITRINE_LIGHT_POINT));
+            lights_.emplace_back(place,
+                                 static_cast<float>(sun ? VITRINE_LIGHT_SUN : VITRINE_LIGHT_POINT));
             lights_.emplace_back(light.color.rgb * light.intensity, 0.0f);
         }
     }
@@ -116,7 +130,8 @@ class Packer {
         const auto known = meshes_.find(asset.get());
         if (known != meshes_.end()) return known->second;
         const Mesh& mesh = asset->mesh;
-        const auto firstVertex = static_cast<uint32_t>(out_.vertices.size() / VITRINE_VERTEX_TEXELS);
+        const auto firstVertex =
+            static_cast<uint32_t>(out_.vertices.size() / VITRINE_VERTEX_TEXELS);
         const auto firstTriangle = static_cast<int>(out_.triangles.size());
         for (size_t i = 0; i < mesh.positions.size(); ++i) {
             out_.vertices.emplace_back(mesh.positions[i], mesh.uvs[i].x);
@@ -131,7 +146,8 @@ class Packer {
     /// First texel, in the lists, of the materials of a node's parts.
     int packPartMaterials(const Node& node, const std::vector<std::string>& partNames) {
         const int unnamed = static_cast<int>(out_.materialNames.size()) - 1;
-        const int whole = node.material.empty() ? unnamed : indexByName(scene_.materials, node.material.name);
+        const int whole =
+            node.material.empty() ? unnamed : indexByName(scene_.materials, node.material.name);
         std::vector<int> chosen(partNames.size(), whole);
         for (size_t i = 0; i < node.parts.size(); ++i) {
             const auto& [part, material] = node.parts[i];
@@ -169,22 +185,32 @@ class Packer {
             if (shape < 0) continue;
             const auto& mesh = assets_.meshes[static_cast<size_t>(shape)];
             const auto& field = assets_.fields[static_cast<size_t>(shape)];
-            if (field == nullptr && !node.set.empty() && scene_.shapes[static_cast<size_t>(shape)].sdf.empty())
+            if (field == nullptr && !node.set.empty() &&
+                scene_.shapes[static_cast<size_t>(shape)].sdf.empty())
                 diagnostics_.error(node.set[0].where, "only an SDF shape has parameters to set");
             if ((mesh == nullptr && field == nullptr) || !node.visible) continue;
+            if (!isUsable(world[i])) {
+                diagnostics_.error(
+                    node.where,
+                    fmt::format("with its parents, node '{}' is scaled or moved too far",
+                                node.name));
+                continue;
+            }
             addInstance(node, world[i], mesh, field, boxes);
         }
         BuildOptions options;
         options.maxLeafSize = 1;  // the shader takes a leaf of the upper level for one instance
-        const int root = boxes.empty() ? -1 : static_cast<int>(layout_.addInstances(buildBvh(boxes, options)));
+        const int root =
+            boxes.empty() ? -1 : static_cast<int>(layout_.addInstances(buildBvh(boxes, options)));
         out_.block.counts.z = root;
         out_.slots = layout_.texels();
         out_.stackBound = layout_.stackBound();
         if (out_.stackBound > VITRINE_STACK_SIZE)
-            diagnostics_.error({scene_.file},
-                               fmt::format("the scene's trees are too deep for the tracer's stack: {} "
-                                           "entries are needed, there are {}",
-                                           out_.stackBound, VITRINE_STACK_SIZE));
+            diagnostics_.error(
+                {scene_.file},
+                fmt::format("the scene's trees are too deep for the tracer's stack: {} "
+                            "entries are needed, there are {}",
+                            out_.stackBound, VITRINE_STACK_SIZE));
     }
 
     void addInstance(const Node& node, const glm::mat4& worldFromObject,
@@ -209,7 +235,8 @@ class Packer {
             precision = 4e-6f * std::max(size.x, std::max(size.y, size.z));
             out_.hasFields = true;
         }
-        for (const glm::vec4& row : rowsOf(glm::inverse(worldFromObject))) instances_.push_back(row);
+        for (const glm::vec4& row : rowsOf(glm::inverse(worldFromObject)))
+            instances_.push_back(row);
         for (const glm::vec4& row : rowsOf(worldFromObject)) instances_.push_back(row);
         instances_.push_back(indices);
         instances_.emplace_back(box.min, stepScale);
@@ -239,7 +266,8 @@ class Packer {
         constexpr size_t kLargestIndex = 1u << 24;
         if (std::max({out_.slots.size() / VITRINE_SLOT_TEXELS, out_.triangles.size(),
                       out_.tables.size()}) > kLargestIndex)
-            diagnostics_.error({scene_.file}, "the scene is too large: more than 16 million triangles");
+            diagnostics_.error({scene_.file},
+                               "the scene is too large: more than 16 million triangles");
     }
 
     void packSettings() {
@@ -256,8 +284,7 @@ class Packer {
         b.sampling.w = r.seed;
         b.counts.x = static_cast<int>(scene_.lights.size());
         b.counts.y = r.marchSteps;
-        // A safety net: every loop ends here, far below where llvmpipe ends them silently.
-        b.counts.w = 16384;
+        b.counts.w = VITRINE_LOOP_BUDGET;
     }
 
     const Scene& scene_;

@@ -7,7 +7,8 @@
 
 namespace vitrine {
 
-std::vector<glm::vec4> parameterValues(const Snippet& snippet, const std::vector<ParameterValue>& set,
+std::vector<glm::vec4> parameterValues(const Snippet& snippet,
+                                       const std::vector<ParameterValue>& set,
                                        Diagnostics& diagnostics) {
     std::vector<glm::vec4> values;
     std::vector<std::string> names;
@@ -26,17 +27,18 @@ std::vector<glm::vec4> parameterValues(const Snippet& snippet, const std::vector
         const Parameter& parameter = snippet.parameters[i];
         const int wanted = componentCount(parameter.type);
         if (given.components != wanted) {
-            diagnostics.error(given.where, fmt::format("{} is a {}; give {}", given.name,
-                                                       glslName(parameter.type),
-                                                       wanted == 1 ? "one number"
-                                                                   : fmt::format("{} numbers", wanted)));
+            diagnostics.error(
+                given.where,
+                fmt::format("{} is a {}; give {}", given.name, glslName(parameter.type),
+                            wanted == 1 ? "one number" : fmt::format("{} numbers", wanted)));
             continue;
         }
         for (int c = 0; parameter.ranged && c < wanted; ++c) {
-            if (given.value[c] >= parameter.minimum[c] && given.value[c] <= parameter.maximum[c]) continue;
-            diagnostics.error(given.where,
-                              fmt::format("{} is {}; it must be from {} to {}", given.name,
-                                          given.value[c], parameter.minimum[c], parameter.maximum[c]));
+            if (given.value[c] >= parameter.minimum[c] && given.value[c] <= parameter.maximum[c])
+                continue;
+            diagnostics.error(given.where, fmt::format("{} is {}; it must be from {} to {}",
+                                                       given.name, given.value[c],
+                                                       parameter.minimum[c], parameter.maximum[c]));
             break;
         }
         values[i] = given.value;

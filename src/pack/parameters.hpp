@@ -12,7 +12,8 @@ namespace vitrine {
 
 /// One value a parameter, in the snippet's order. Names the snippet does not have, values of the
 /// wrong size or outside the range are errors at the place in the scene.
-std::vector<glm::vec4> parameterValues(const Snippet& snippet, const std::vector<ParameterValue>& set,
+std::vector<glm::vec4> parameterValues(const Snippet& snippet,
+                                       const std::vector<ParameterValue>& set,
                                        Diagnostics& diagnostics);
 
 }  // namespace vitrine

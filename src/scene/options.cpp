@@ -52,7 +52,10 @@ const OptionTable<Camera>& cameraOptions() {
         {"target", &C::target, kAnyNumber, "point in the middle of the picture, m"},
         {"up", &C::up, kAnyNumber, "direction that is up in the picture"},
         {"fov", &C::fov, {0.1, 170}, "vertical field of view, degrees"},
-        {"focal_length", &C::focalLength, {1, 2000}, "instead of fov: mm on a 36 mm wide sensor; 35 if neither is given"},
+        {"focal_length",
+         &C::focalLength,
+         {1, 2000},
+         "instead of fov: mm on a 36 mm wide sensor; 35 if neither is given"},
     };
     return table;
 }
@@ -114,8 +117,9 @@ const OptionTable<SphereShape>& sphereOptions() {
 }
 
 const OptionTable<PlaneShape>& planeOptions() {
-    static const OptionTable<PlaneShape> table{
-        {"size", ScaleMember<PlaneShape>{&PlaneShape::size}, kNotNegative, "edges along x and z, m; y is not used"}};
+    static const OptionTable<PlaneShape> table{{"size", ScaleMember<PlaneShape>{&PlaneShape::size},
+                                                kNotNegative,
+                                                "edges along x and z, m; y is not used"}};
     return table;
 }
 

@@ -27,8 +27,9 @@ struct ScaleMember {
 };
 
 template <class T>
-using OptionMember = std::variant<float T::*, int T::*, bool T::*, glm::vec3 T::*, Color T::*,
-                                  std::string T::*, Reference T::*, ScaleMember<T>, ChoiceMember<T>>;
+using OptionMember =
+    std::variant<float T::*, int T::*, bool T::*, glm::vec3 T::*, Color T::*, std::string T::*,
+                 Reference T::*, ScaleMember<T>, ChoiceMember<T>>;
 
 /// Inclusive; what lies outside is an error.
 struct Range {

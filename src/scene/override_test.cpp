@@ -34,8 +34,12 @@ name = "right"
 shape = "ball"
 )";
 
-Scene with(const std::string& assignment) { return goodScene(kScene, {assignment}); }
-std::string problem(const std::string& assignment) { return problemsOf(kScene, {assignment}); }
+Scene with(const std::string& assignment) {
+    return goodScene(kScene, {assignment});
+}
+std::string problem(const std::string& assignment) {
+    return problemsOf(kScene, {assignment});
+}
 
 TEST(Override, SectionsThereIsOneOf) {
     EXPECT_EQ(with("render.exposure=2.5").render.exposure, 2.5f) << "replaces";
@@ -108,8 +112,7 @@ TEST(Override, MistakesNameTheAssignment) {
         {"", "--set : error: write it as key=value"},
         {"render.exposure", "--set render.exposure: error: write it as key=value"},
         {"=1", "--set =1: error: write it as key=value"},
-        {"exposure=1",
-         "--set exposure=1: error: the key needs a section, as in render.exposure"},
+        {"exposure=1", "--set exposure=1: error: the key needs a section, as in render.exposure"},
         {"render.=1", "--set render.=1: error: the key needs a section, as in render.exposure"},
         {"rendr.exposure=1",
          "--set rendr.exposure=1: error: unknown section 'rendr' (did you mean 'render'?)"},
@@ -118,8 +121,10 @@ TEST(Override, MistakesNameTheAssignment) {
          "'exposure'?)"},
         {"render.new.x=1", "--set render.new.x=1: error: unknown key 'new' in [render]"},
         {"render.gamma.x=1", "--set render.gamma.x=1: error: gamma must be a number"},
-        {"render.exposure.x=1", "--set render.exposure.x=1: error: 'exposure' has no keys of its own"},
-        {"render.exposure=bright", "--set render.exposure=bright: error: exposure must be a number"},
+        {"render.exposure.x=1",
+         "--set render.exposure.x=1: error: 'exposure' has no keys of its own"},
+        {"render.exposure=bright",
+         "--set render.exposure=bright: error: exposure must be a number"},
         {"render.exposure=99",
          "--set render.exposure=99: error: exposure is 99; it must be from -20 to 20"},
         {"render.exposure=nan", "--set render.exposure=nan: error: exposure must be finite"},
@@ -131,7 +136,8 @@ TEST(Override, MistakesNameTheAssignment) {
         {"node.lft.at=[0,0,0]",
          "--set node.lft.at=[0,0,0]: error: the scene has no node 'lft' (did you mean 'left'?)"},
         {"shape.ball.sphre.radius=1",
-         "--set shape.ball.sphre.radius=1: error: unknown key 'sphre' in [shape.ball] (did you mean "
+         "--set shape.ball.sphre.radius=1: error: unknown key 'sphre' in [shape.ball] (did you "
+         "mean "
          "'sphere'?)"},
         {"node.left.shape=bal",
          "--set node.left.shape=bal: error: no shape is named 'bal' (did you mean 'ball'?)"},

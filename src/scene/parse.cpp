@@ -16,7 +16,8 @@ namespace {
 /// Walks the document section by section into the scene.
 class SceneParser {
   public:
-    SceneParser(Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
+    SceneParser(Scene& scene, Diagnostics& diagnostics)
+        : scene_(scene), diagnostics_(diagnostics) {}
 
     void parse(const toml::table& document) {
         for (const auto& [key, node] : document) {
@@ -34,9 +35,17 @@ class SceneParser {
             else if (section == "node")
                 list(node, section, [&](const toml::table& t) { this->node(t); });
             else if (section == "material")
-                named(node, section, [&](const std::string& n, const toml::table& t) { material(n, t); });
+                named(node, section,
+                      [&](const std::string& n, const toml::table& t) { material(n, t); });
             else if (section == "shape")
-                named(node, section, [&](const std::string& n, const toml::table& t) { shape(n, t); });
+                named(node, section,
+                      [&](const std::string& n, const toml::table& t) { shape(n, t); });
+            else if (!node.is_table() && !node.is_array_of_tables())
+                diagnostics_.error(
+                    placeOf(key, node),
+                    fmt::format("'{}' belongs to no section; write one above, such as "
+                                "[render]",
+                                section));
             else
                 diagnostics_.error(placeOf(key, node),
                                    fmt::format("unknown section '{}'{}", section,
@@ -52,14 +61,16 @@ class SceneParser {
         if (const toml::table* table = node.as_table())
             readTable(*table, "[" + section + "]", options, otherKeys, object, diagnostics_);
         else
-            diagnostics_.error(placeOf(node), fmt::format("there is only one: write [{}]", section));
+            diagnostics_.error(placeOf(node),
+                               fmt::format("there is only one: write [{}]", section));
     }
 
     template <class F>
     void list(const toml::node& node, const std::string& section, F&& each) {
         const toml::array* array = node.as_array();
         if (array == nullptr) {
-            diagnostics_.error(placeOf(node), fmt::format("there can be several: write [[{}]]", section));
+            diagnostics_.error(placeOf(node),
+                               fmt::format("there can be several: write [[{}]]", section));
             return;
         }
         for (const toml::node& entry : *array) {
@@ -74,17 +85,20 @@ class SceneParser {
     void named(const toml::node& node, const std::string& section, F&& each) {
         const toml::table* group = node.as_table();
         if (group == nullptr) {
-            diagnostics_.error(placeOf(node), fmt::format("each has a name: write [{}.NAME]", section));
+            diagnostics_.error(placeOf(node),
+                               fmt::format("each has a name: write [{}.NAME]", section));
             return;
         }
         for (const auto& [key, entry] : *group) {
             if (key.str().empty())
-                diagnostics_.error(placeOf(key, entry), fmt::format("the {}'s name is empty", section));
+                diagnostics_.error(placeOf(key, entry),
+                                   fmt::format("the {}'s name is empty", section));
             else if (const toml::table* table = entry.as_table())
                 each(std::string(key.str()), *table);
             else if (entry.is_array_of_tables())
-                diagnostics_.error(placeOf(key, entry),
-                                   fmt::format("there is only one: write [{}.{}]", section, key.str()));
+                diagnostics_.error(
+                    placeOf(key, entry),
+                    fmt::format("there is only one: write [{}.{}]", section, key.str()));
             else
                 diagnostics_.error(placeOf(key, entry),
                                    fmt::format("'{0}' belongs to no {1}; each has a name: write "
@@ -102,8 +116,9 @@ class SceneParser {
         if (!readColor(*sky, "sky", {0, 1e9}, color, diagnostics_)) return;
         for (const char* key : {"zenith", "horizon", "ground"})
             if (const toml::node* clash = table->get(key))
-                diagnostics_.error(placeOf(*clash),
-                                   fmt::format("{} has no effect beside sky, which is all of them", key));
+                diagnostics_.error(
+                    placeOf(*clash),
+                    fmt::format("{} has no effect beside sky, which is all of them", key));
         scene_.environment.zenith = scene_.environment.horizon = scene_.environment.ground = color;
     }
 
@@ -114,13 +129,15 @@ class SceneParser {
         if (camera.fov > 0 && camera.focalLength > 0)
             diagnostics_.error(placeOf(*table.get("focal_length")),
                                "give fov or focal_length, not both");
-        if (camera.fov == 0 && camera.focalLength == 0) camera.focalLength = Camera::kDefaultFocalLength;
+        if (camera.fov == 0 && camera.focalLength == 0)
+            camera.focalLength = Camera::kDefaultFocalLength;
         const glm::vec3 forward = camera.target - camera.eye;
         if (glm::length(forward) < 1e-6f)
             diagnostics_.error(camera.where, "the camera's eye and target are the same point");
         else if (glm::length(camera.up) < 1e-6f)
             diagnostics_.error(placeOf(*table.get("up")), "up has no length");
-        else if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(camera.up))) < 1e-6f)
+        else if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(camera.up))) <
+                 1e-6f)
             diagnostics_.error(camera.where, "the camera looks along its up direction");
         scene_.cameras.push_back(camera);
     }
@@ -133,8 +150,9 @@ class SceneParser {
             diagnostics_.error(placeOf(*table.get("direction")), "direction has no length");
         const bool sun = light.type == LightType::kSun;
         if (const toml::node* unused = table.get(sun ? "at" : "direction"))
-            diagnostics_.error(placeOf(*unused), fmt::format("a {} light has no {}", sun ? "sun" : "point",
-                                                             sun ? "position" : "direction"));
+            diagnostics_.error(placeOf(*unused),
+                               fmt::format("a {} light has no {}", sun ? "sun" : "point",
+                                           sun ? "position" : "direction"));
         scene_.lights.push_back(light);
     }
 
@@ -142,7 +160,8 @@ class SceneParser {
         Material material;
         material.name = name;
         material.where = placeOf(table);
-        readTable(table, "[material." + name + "]", materialOptions(), {"set"}, material, diagnostics_);
+        readTable(table, "[material." + name + "]", materialOptions(), {"set"}, material,
+                  diagnostics_);
         if (const toml::node* set = table.get("set"))
             readParameters(*set, "set", material.set, diagnostics_);
         scene_.materials.push_back(material);
@@ -152,7 +171,9 @@ class SceneParser {
         Shape shape;
         shape.name = name;
         shape.where = placeOf(table);
-        static const std::vector<std::string> kBuiltIn{"box", "sphere", "plane", "torus", "cylinder"};
+        static const std::vector<std::string> kBuiltIn{"box", "sphere", "plane", "torus",
+                                                       "cylinder"};
+        const size_t mistakes = diagnostics_.list().size();
         readTable(table, "[shape." + name + "]", shapeOptions(), kBuiltIn, shape, diagnostics_);
         builtIn(table, "box", boxOptions(), shape.box);
         builtIn(table, "sphere", sphereOptions(), shape.sphere);
@@ -164,10 +185,12 @@ class SceneParser {
         const int given = !shape.sdf.empty() + !shape.mesh.empty() + shape.box.has_value() +
                           shape.sphere.has_value() + shape.plane.has_value() +
                           shape.torus.has_value() + shape.cylinder.has_value();
-        if (given != 1)
-            diagnostics_.error(shape.where,
-                               fmt::format("shape '{}' must have exactly one of sdf, mesh, {}", name,
-                                           fmt::join(kBuiltIn, ", ")));
+        // What was meant to be the shape has been complained about.
+        const bool misspelt = given == 0 && diagnostics_.list().size() > mistakes;
+        if (given != 1 && !misspelt)
+            diagnostics_.error(
+                shape.where, fmt::format("shape '{}' must have exactly one of sdf, mesh, {}", name,
+                                         fmt::join(kBuiltIn, ", ")));
         scene_.shapes.push_back(shape);
     }
 
@@ -180,8 +203,8 @@ class SceneParser {
         if (const toml::table* inner = node->as_table())
             readTable(*inner, key, options, {}, *out, diagnostics_);
         else
-            diagnostics_.error(placeOf(*node), fmt::format("{} must be a table, as in {{ {} = 1 }}", key,
-                                                           options[0].key));
+            diagnostics_.error(placeOf(*node), fmt::format("{} must be a table, as in {{ {} = 1 }}",
+                                                           key, options[0].key));
     }
 
     void node(const toml::table& table) {
@@ -196,7 +219,7 @@ class SceneParser {
                 diagnostics_.error(placeOf(*unused),
                                    fmt::format("{} has no effect: the node has no shape", key));
         for (int axis = 0; axis < 3; ++axis)
-            if (std::abs(node.scale[axis]) < 1e-6f && table.get("scale") != nullptr) {
+            if (node.scale[axis] == 0) {
                 diagnostics_.error(placeOf(*table.get("scale")), "scale must not be zero");
                 node.scale = glm::vec3(1);
             }
@@ -211,7 +234,8 @@ class SceneParser {
         }
         for (const auto& [key, value] : *table) {
             Reference reference{{}, placeOf(value)};
-            if (!readText(value, "parts", reference.name, diagnostics_)) continue;
+            if (!readText(value, "parts." + std::string(key.str()), reference.name, diagnostics_))
+                continue;
             node.parts.emplace_back(std::string(key.str()), reference);
             node.partPlaces.push_back(placeOf(key, value));
         }
@@ -230,7 +254,8 @@ Scene parseScene(std::string_view text, const std::string& file,
     scene.folder = std::filesystem::path(file).parent_path();
     std::optional<toml::table> document = parseDocument(text, file, diagnostics);
     if (!document) return scene;
-    for (const std::string& assignment : overrides) applyOverride(*document, assignment, diagnostics);
+    for (const std::string& assignment : overrides)
+        applyOverride(*document, assignment, diagnostics);
     // The document gives its keys by the alphabet; people read errors from the top of the file.
     Diagnostics found;
     SceneParser(scene, found).parse(*document);
@@ -238,7 +263,10 @@ Scene parseScene(std::string_view text, const std::string& file,
     std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::tie(a.where.line, a.where.column) < std::tie(b.where.line, b.where.column);
     });
-    for (Diagnostic& diagnostic : sorted) diagnostics.add(std::move(diagnostic));
+    for (Diagnostic& diagnostic : sorted) {
+        diagnostic.message = printable(diagnostic.message);
+        diagnostics.add(std::move(diagnostic));
+    }
     if (scene.cameras.empty()) {
         Camera camera;
         camera.name = "default";

@@ -150,9 +150,11 @@ TEST(ParseScene, ReadsMaterials) {
     EXPECT_EQ(wood.snippet.name, "wood.mat.glsl");
     EXPECT_EQ(wood.snippet.where.text(), "folder/t.toml:46:11");
     ASSERT_EQ(wood.set.size(), 5u);
-    const std::vector<std::tuple<std::string, vec4, int>> expected{
-        {"four", {1, 2, 3, 4}, 4}, {"knots", {1, 0, 0, 0}, 1}, {"offset", {1, 2, 0, 0}, 2},
-        {"rings", {8, 0, 0, 0}, 1}, {"stain", {0, 0, 0, 1}, 3}};
+    const std::vector<std::tuple<std::string, vec4, int>> expected{{"four", {1, 2, 3, 4}, 4},
+                                                                   {"knots", {1, 0, 0, 0}, 1},
+                                                                   {"offset", {1, 2, 0, 0}, 2},
+                                                                   {"rings", {8, 0, 0, 0}, 1},
+                                                                   {"stain", {0, 0, 0, 1}, 3}};
     for (size_t i = 0; i < expected.size(); ++i)
         EXPECT_EQ(std::make_tuple(wood.set[i].name, wood.set[i].value, wood.set[i].components),
                   expected[i]);

@@ -140,8 +140,8 @@ struct Node {
 };
 
 struct Scene {
-    std::string file;                ///< for messages
-    std::filesystem::path folder;    ///< where references to files start, and which they stay inside
+    std::string file;              ///< for messages
+    std::filesystem::path folder;  ///< where references to files start, and which they stay inside
     std::string title, description;
     RenderSettings render;
     std::vector<Camera> cameras;

@@ -18,7 +18,8 @@ inline Scene goodScene(const std::string& text, const std::vector<std::string>& 
 }
 
 /// All that is wrong with a scene, one message a line.
-inline std::string problemsOf(const std::string& text, const std::vector<std::string>& overrides = {}) {
+inline std::string problemsOf(const std::string& text,
+                              const std::vector<std::string>& overrides = {}) {
     Diagnostics diagnostics;
     (void)parseScene(text, "t", overrides, diagnostics);
     return diagnostics.text();

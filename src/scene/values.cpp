@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/values.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vitrine {
@@ -20,7 +21,9 @@ bool readHexColor(const std::string& text, glm::vec3& rgb) {
     return true;
 }
 
-bool inRange(double value, Range range) { return value >= range.minimum && value <= range.maximum; }
+bool inRange(double value, Range range) {
+    return value >= range.minimum && value <= range.maximum;
+}
 
 /// What would have been right, for a value that is out of range. The limits of all numbers are
 /// only worth a word to those who meet them.
@@ -46,9 +49,8 @@ bool readNumber(const toml::node& node, const std::string& what, Range range, do
         return false;
     }
     if (!inRange(value, range)) {
-        diagnostics.error(placeOf(node),
-                          fmt::format("{} is {}; it must be {}", what, value,
-                                      rangeText(range, value)));
+        diagnostics.error(placeOf(node), fmt::format("{} is {}; it must be {}", what, value,
+                                                     rangeText(range, value)));
         return false;
     }
     out = value;
@@ -58,8 +60,11 @@ bool readNumber(const toml::node& node, const std::string& what, Range range, do
 bool readVector(const toml::node& node, const std::string& what, Range range, glm::vec3& out,
                 Diagnostics& diagnostics) {
     const toml::array* array = node.as_array();
-    if (array == nullptr || array->size() != 3) {
-        diagnostics.error(placeOf(node), fmt::format("{} must be three numbers, as in [0, 1, 2]", what));
+    const auto isNumber = [](const toml::node& n) { return n.is_number(); };
+    if (array == nullptr || array->size() != 3 ||
+        !std::all_of(array->begin(), array->end(), isNumber)) {
+        diagnostics.error(placeOf(node),
+                          fmt::format("{} must be three numbers, as in [0, 1, 2]", what));
         return false;
     }
     glm::vec3 result;
@@ -101,7 +106,8 @@ void readParameters(const toml::node& node, const std::string& what,
                     std::vector<ParameterValue>& out, Diagnostics& diagnostics) {
     const toml::table* table = node.as_table();
     if (table == nullptr) {
-        diagnostics.error(placeOf(node), fmt::format("{} must be a table, as in {{ size = 0.5 }}", what));
+        diagnostics.error(placeOf(node),
+                          fmt::format("{} must be a table, as in {{ size = 0.5 }}", what));
         return;
     }
     for (const auto& [key, value] : *table) {
@@ -120,10 +126,17 @@ void readParameters(const toml::node& node, const std::string& what,
             bool good = true;
             for (int i = 0; i < parameter.components; ++i) {
                 double component = 0;
-                good &= readNumber(*array->get(static_cast<size_t>(i)), name, {}, component, diagnostics);
+                good &= readNumber(*array->get(static_cast<size_t>(i)), name, {}, component,
+                                   diagnostics);
                 parameter.value[i] = static_cast<float>(component);
             }
             if (!good) continue;
+        } else if (!value.is_number()) {
+            diagnostics.error(placeOf(value),
+                              fmt::format("{} must be a number, two to four of them in brackets, a "
+                                          "colour, true or false",
+                                          name));
+            continue;
         } else {
             double number = 0;
             if (!readNumber(value, name, {}, number, diagnostics)) continue;

@@ -30,7 +30,8 @@ void readParameters(const toml::node& node, const std::string& what,
 
 /// Tries to read `node` into the member of `object` that `option` names.
 template <class T>
-void readOption(const toml::node& node, const Option<T>& option, T& object, Diagnostics& diagnostics) {
+void readOption(const toml::node& node, const Option<T>& option, T& object,
+                Diagnostics& diagnostics) {
     const std::string& key = option.key;
     const auto read = [&](auto member) {
         using M = decltype(member);
@@ -64,7 +65,9 @@ void readOption(const toml::node& node, const Option<T>& option, T& object, Diag
             if (node.is_array() && node.as_array()->size() == 3)
                 readVector(node, key, option.range, object.*member.member, diagnostics);
             else if (!node.is_number())
-                diagnostics.error(placeOf(node), fmt::format("{} must be a number or three", key));
+                diagnostics.error(
+                    placeOf(node),
+                    fmt::format("{} must be one number, or three as in [1, 2, 1]", key));
             else if (readNumber(node, key, option.range, value, diagnostics))
                 object.*member.member = glm::vec3(static_cast<float>(value));
         } else {
@@ -72,10 +75,9 @@ void readOption(const toml::node& node, const Option<T>& option, T& object, Diag
             if (!readText(node, key, word, diagnostics)) return;
             for (size_t i = 0; i < member.words.size(); ++i)
                 if (member.words[i] == word) return member.set(object, static_cast<int>(i));
-            diagnostics.error(placeOf(node),
-                              fmt::format("{} must be one of '{}', not '{}'{}", key,
-                                          fmt::join(member.words, "', '"), word,
-                                          didYouMean(word, member.words)));
+            diagnostics.error(placeOf(node), fmt::format("{} must be one of '{}', not '{}'{}", key,
+                                                         fmt::join(member.words, "', '"), word,
+                                                         didYouMean(word, member.words)));
         }
     };
     std::visit(read, option.member);
@@ -98,8 +100,8 @@ void readTable(const toml::table& table, const std::string& section, const Optio
         std::vector<std::string> keys = otherKeys;
         if (std::find(keys.begin(), keys.end(), name) != keys.end()) continue;
         for (const Option<T>& option : options) keys.push_back(option.key);
-        diagnostics.error(placeOf(key, node),
-                          fmt::format("unknown key '{}' in {}{}", name, section, didYouMean(name, keys)));
+        diagnostics.error(placeOf(key, node), fmt::format("unknown key '{}' in {}{}", name, section,
+                                                          didYouMean(name, keys)));
     }
 }
 

@@ -29,13 +29,16 @@ bool takeSign(std::string_view& text, char sign) {
 }  // namespace
 
 FrameRange parseFrames(const std::string& text) {
+    constexpr int kMaxFrame = 9'999'999;  // more than a day of film
     std::string_view rest = text;
     FrameRange range;
     range.first = range.last = takeNumber(rest);
     if (takeSign(rest, '-')) range.last = takeNumber(rest);
     if (takeSign(rest, ':')) range.step = takeNumber(rest);
-    if (!rest.empty() || range.first < 0 || range.last < range.first || range.step < 1)
-        throw UsageError(fmt::format("--frames: '{}' is not A-B or A-B:STEP with A <= B", text));
+    if (!rest.empty() || range.first < 0 || range.last < range.first || range.last > kMaxFrame ||
+        range.step < 1)
+        throw UsageError(fmt::format("--frames: '{}' is not A-B or A-B:STEP with A <= B <= {}",
+                                     text, kMaxFrame));
     return range;
 }
 
@@ -46,7 +49,8 @@ std::pair<int, int> parseResolution(const std::string& text) {
     const bool cross = takeSign(rest, 'x');
     const int height = takeNumber(rest);
     if (!cross || !rest.empty() || width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
-        throw UsageError(fmt::format("-r: '{}' is not WIDTHxHEIGHT, each from 1 to {}", text, kMaxSide));
+        throw UsageError(
+            fmt::format("-r: '{}' is not WIDTHxHEIGHT, each from 1 to {}", text, kMaxSide));
     return {width, height};
 }
 
@@ -56,7 +60,8 @@ std::string frameFileName(const std::string& pattern, int frame) {
         throw UsageError(fmt::format("-o: '{}' needs #### where the frame's number goes", pattern));
     size_t end = first;
     while (end < pattern.size() && pattern[end] == '#') ++end;
-    return pattern.substr(0, first) + fmt::format("{:0{}}", frame, end - first) + pattern.substr(end);
+    return pattern.substr(0, first) + fmt::format("{:0{}}", frame, end - first) +
+           pattern.substr(end);
 }
 
 }  // namespace vitrine

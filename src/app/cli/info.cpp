@@ -79,12 +79,15 @@ void print(const Json& json) {
                json["instances"].get<size_t>(), json["lights"].get<size_t>(),
                json["materials"].get<size_t>());
     for (const Json& m : json["meshes"])
-        fmt::print("mesh {}: {} triangles, tree of {} nodes, depth {}, SAH cost {:.1f}, built in {:.1f} ms\n",
-                   m["shape"].get<std::string>(), m["triangles"].get<size_t>(),
-                   m["tree_nodes"].get<size_t>(), m["tree_depth"].get<int>(),
-                   m["sah_cost"].get<double>(), 1e3 * m["build_seconds"].get<double>());
+        fmt::print(
+            "mesh {}: {} triangles, tree of {} nodes, depth {}, SAH cost {:.1f}, built in {:.1f} "
+            "ms\n",
+            m["shape"].get<std::string>(), m["triangles"].get<size_t>(),
+            m["tree_nodes"].get<size_t>(), m["tree_depth"].get<int>(), m["sah_cost"].get<double>(),
+            1e3 * m["build_seconds"].get<double>());
     for (const Json& s : json["snippets"]) {
-        fmt::print("snippet {}: {}()\n", s["file"].get<std::string>(), s["entry"].get<std::string>());
+        fmt::print("snippet {}: {}()\n", s["file"].get<std::string>(),
+                   s["entry"].get<std::string>());
         for (const Json& p : s["parameters"])
             fmt::print("  {} {} = {}  ({} to {})  {}\n", p["type"].get<std::string>(),
                        p["name"].get<std::string>(), p["default"].dump(), p["minimum"].dump(),

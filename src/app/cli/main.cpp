@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -14,6 +15,15 @@ namespace {
 
 constexpr int kInputFault = 1, kUsageFault = 2, kMachineFault = 3;
 
+/// A range lets "nan" through, because it is neither too small nor too large.
+const CLI::Validator kFinite{
+    [](const std::string& text) {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        return good ? std::string() : "'" + text + "' is not a finite number";
+    },
+    ""};
+
 void addOverrides(CLI::App& command, std::vector<std::string>& overrides) {
     command.add_option("--set", overrides, "change a key of the scene: render.exposure=1")
         ->type_name("KEY=VALUE")
@@ -22,20 +32,25 @@ void addOverrides(CLI::App& command, std::vector<std::string>& overrides) {
 
 void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen) {
     CLI::App* c = app.add_subcommand("render", "draw a scene into a picture");
-    c->add_option("FILE", o.file, "a scene (.toml), a model (.obj) or a field (.sdf.glsl)")->required();
+    c->add_option("FILE", o.file, "a scene (.toml), a model (.obj) or a field (.sdf.glsl)")
+        ->required();
     c->add_option("-o,--output", o.output, "name.png, or name_####.png with --frames")->required();
     c->add_option("-r,--resolution", o.resolution, "width x height")->capture_default_str();
     c->add_option("--spp", o.samples, "samples a pixel")->check(CLI::Range(1, 65536));
-    c->add_option("--time", o.time, "seconds");
+    c->add_option("--time", o.time, "seconds")->check(CLI::Range(-1e6, 1e6))->check(kFinite);
     c->add_option("--frames", o.frames, "A-B or A-B:STEP: a picture each");
-    c->add_option("--fps", o.fps, "frames a second")->check(CLI::Range(0.001, 10000.0))->capture_default_str();
+    c->add_option("--fps", o.fps, "frames a second")
+        ->check(CLI::Range(0.001, 10000.0))
+        ->check(kFinite)
+        ->capture_default_str();
     c->add_option("--camera", o.camera, "the camera of this name");
     c->add_option("--view", o.view, fmt::format("what to show: {}", fmt::join(viewNames(), " ")))
         ->capture_default_str();
     c->add_option("--backend", o.backend, "fragment or compute shaders")
         ->check(CLI::IsMember({"auto", "fragment", "compute"}))
         ->capture_default_str();
-    c->add_option("--seed", o.seed, "start of the random numbers")->check(CLI::Range(0, 2147483647));
+    c->add_option("--seed", o.seed, "start of the random numbers")
+        ->check(CLI::Range(0, 2147483647));
     c->add_option("--json", o.json, "write numbers about the rendering to this file, or - ");
     addOverrides(*c, o.overrides);
     o.version = VITRINE_VERSION;
@@ -64,9 +79,11 @@ void defineCompare(CLI::App& app, CompareOptions& o, std::function<int()>& chose
     c->add_option("B", o.b)->required();
     c->add_option("--tolerance", o.tolerance,
                   "exit with 1 if too many pixels differ by more than this, in steps of 1/255")
-        ->check(CLI::Range(0.0, 255.0));
+        ->check(CLI::Range(0.0, 255.0))
+        ->check(kFinite);
     c->add_option("--fraction", o.fraction, "how many pixels are too many, as a part of all")
         ->check(CLI::Range(0.0, 1.0))
+        ->check(kFinite)
         ->capture_default_str();
     c->add_option("-o,--output", o.output, "write a heat map of the difference (FLIP)");
     c->add_option("--json", o.json, "write the numbers to this file, or - ");
@@ -86,7 +103,8 @@ int show(const std::string& version) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app{"Vitrine: meshes and distance fields in one scene, and every ray sees both", "vitrine"};
+    CLI::App app{"Vitrine: meshes and distance fields in one scene, and every ray sees both",
+                 "vitrine"};
     app.set_version_flag("--version", "vitrine " VITRINE_VERSION);
     app.require_subcommand(0, 1);
     std::function<int()> chosen = [] { return show(VITRINE_VERSION); };
@@ -103,7 +121,9 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : kUsageFault;
     }
-    return chosen();
+    const int code = chosen();
+    if (std::fflush(stdout) != 0) throw MachineError("cannot write to standard output");
+    return code;
 }
 
 }  // namespace
