@@ -46,7 +46,7 @@ vec3 shade(uvec4 record, Path path, ivec2 pixel) {
     int ambient = shadowView ? 0 : max(1, int(frame.display.w) / (frame.sampling.z == 0 ? 1 : 4));
     vec3 sum = shadowView ? vec3(0.0) : hit.surface.emission;
     for (int i = 0; i < lights + ambient; i++) {
-        COUNT(countedLoops);
+        if (!mayLoop()) break;
         Probe probe;
         if (i < lights) {
             LightSample light = sampleLight(i, hit.surface.position);

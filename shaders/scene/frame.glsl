@@ -7,10 +7,15 @@ layout(std140) uniform FrameBlock {
 #include "shared/frame_fields.glsl"
 } frame;
 
-// Every loop asks this, so that no compiler can unroll it and that the passes can be held far below
-// the 65,535 iterations after which llvmpipe ends all loops of an invocation.
+// Every loop asks this before each iteration: all loops of an invocation share VITRINE_LOOP_BUDGET.
+// It comes as a uniform, so that no compiler takes it for a bound to unroll to.
+int takenLoops = 0;
+bool mayLoop() {
+    takenLoops++;
+    return takenLoops <= frame.counts.w;
+}
+
 #if COUNTERS
-int countedLoops = 0;
 int countedNodes = 0;
 int countedSteps = 0;
 int countedRays = 0;

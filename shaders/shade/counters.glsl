@@ -7,7 +7,7 @@
 uniform usampler2D countersBefore;
 
 uvec4 addCounters(uvec4 before, uint unitOfRays) {
-    return uvec4(max(before.x, uint(countedLoops)), before.y + uint(countedNodes),
+    return uvec4(max(before.x, uint(takenLoops)), before.y + uint(countedNodes),
                  before.z + uint(countedSteps), before.w + unitOfRays * uint(countedRays));
 }
 #endif

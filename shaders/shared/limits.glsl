@@ -7,6 +7,10 @@
 // (each visit of a node keeps at most three of its four children for later).
 #define VITRINE_STACK_SIZE 64
 
+// Iterations that all loops of one shader invocation may take together. llvmpipe ends them silently
+// after 65,535, counted over eight pixels in lockstep, whence the half.
+#define VITRINE_LOOP_BUDGET 32768
+
 // A slot of the acceleration structure is three RGBA32UI texels: a node, a triangle, or half an
 // instance (pack/bvh_layout.hpp owns the format, trace/bvh.glsl reads it).
 #define VITRINE_SLOT_TEXELS 3

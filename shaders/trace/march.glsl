@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sphere tracing (Hart 1996) of one field inside its box, in object space, with the ray's own
 // parameter t: an object-space distance d allows a step of d / |direction| whatever the transform.
+// The way is counted from the box on: counted from a far eye, the last steps would be rounded away.
 //
 // The surface normal is found in the same loop (tetrahedron rule, Quilez), so that the field is
 // called from a single place: compilers inline each call, and a second one doubles their work.
@@ -37,22 +38,29 @@ FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction,
     FieldHit result = FieldHit(false, tMax, 0, vec3(0.0));
     vec2 interval = boxInterval(instance.boxMin, instance.boxMax, origin, safeInverse(direction));
     float tEnd = min(interval.y, tMax);
+    vec3 entry = origin + interval.x * direction;
     float t = interval.x;
-    float objectPerT = length(direction);
-    float stepPerDistance = instance.stepScale / objectPerT;
+    float way = 0.0;  // t - interval.x
+    float stepPerDistance = instance.stepScale / length(direction);
+    // A length in the world is at least this long in here, whatever its direction: rays that leave a
+    // squeezed object must not find it again.
+    float objectPerWorld = min(length(instance.objectFromWorld[0].xyz),
+                               min(length(instance.objectFromWorld[1].xyz),
+                                   length(instance.objectFromWorld[2].xyz)));
     int state = wanted && t <= tEnd ? kMarching : kFinished;
     bindField(instance.shape, instance.parameters);
     int probes = 0;
     float tolerance = 0.0;
     vec3 gradient = vec3(0.0);
-    for (int i = 0; i < frame.counts.y; i++) {
-        if (state == kFinished) break;
-        COUNT(countedLoops);
+    // The last step may still be followed by its probes: a normal from fewer would be nonsense.
+    for (int i = 0; i < frame.counts.y + 4; i++) {
+        if (state == kFinished || (state == kMarching && i >= frame.counts.y) || !mayLoop()) break;
         COUNT(countedSteps);
-        vec3 p = origin + t * direction;
+        vec3 p = entry + way * direction;
         vec3 corner = tetrahedronCorner(probes);
         bool probing = state == kProbing;
-        if (probing) p += corner * tolerance;
+        // Wide enough that the differences stand out of the rounding.
+        if (probing) p += corner * max(tolerance, 16.0 * instance.finest);
         vec2 d = evaluateField(instance.shape, p);
         // A field that is not a number is a miss: nothing can be said about the surface.
         if (isnan(d.x) && !probing) state = kFinished;
@@ -63,7 +71,7 @@ FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction,
         } else {
             // A fifth of the pixel's footprint: below what a picture shows, above what floats lose.
             tolerance = max(instance.finest,
-                            0.2 * (radius + frame.cameraEye.w * t) * objectPerT);
+                            0.2 * (radius + frame.cameraEye.w * t) * objectPerWorld);
             if (d.x < tolerance) {
                 result.hit = true;
                 result.t = t;
@@ -74,7 +82,8 @@ FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction,
                 state = kProbing;
 #endif
             } else {
-                t += d.x * stepPerDistance;
+                way += d.x * stepPerDistance;
+                t = interval.x + way;
                 if (t > tEnd) state = kFinished;
             }
         }

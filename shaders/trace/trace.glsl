@@ -35,13 +35,11 @@ uvec4 trace(Ray ray, float tMax) {
     uint current = uint(frame.counts.z);
     if (frame.counts.z < 0 || tMax <= 0.0) current = kNowhere;
 
-    for (int round = 0; round < frame.counts.w; round++) {
-        COUNT(countedLoops);
+    while (mayLoop()) {
         // Walk until an instance is met or the tree is exhausted.
-        for (int i = 0; i < frame.counts.w; i++) {
+        while (mayLoop()) {
             bool leaf = (current & VITRINE_LEAF_BIT) != 0u;
             if (current == kNowhere || (leaf && !insideMesh)) break;
-            COUNT(countedLoops);
             COUNT(countedNodes);
             Slot slot = fetchSlot(int(current & ~VITRINE_LEAF_BIT));
             bool pop;

@@ -38,6 +38,17 @@ class Descriptor {
     throw MachineError(fmt::format("cannot write '{}': {}", path.string(), std::strerror(error)));
 }
 
+/// Where writing to `path` ends up: behind links, so that a link stays one. Renaming onto a device
+/// or a pipe would replace it by a file.
+fs::path writingTarget(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status)) failWriting(path, EISDIR);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw MachineError(fmt::format("cannot write '{}': not a regular file", path.string()));
+    return fs::is_symlink(path, error) && fs::exists(status) ? fs::canonical(path) : path;
+}
+
 /// The nearest existing ancestor resolved through links, the rest appended as written.
 fs::path canonicalPrefix(const fs::path& path) {
     std::error_code error;
@@ -91,7 +102,8 @@ fs::path resolveInside(const fs::path& root, std::string_view reference) {
     return (root.empty() ? relative : root / relative).lexically_normal();
 }
 
-void writeFileAtomically(const fs::path& path, std::span<const uint8_t> bytes) {
+void writeFileAtomically(const fs::path& name, std::span<const uint8_t> bytes) {
+    const fs::path path = writingTarget(name);
     std::string temporary = path.string() + ".XXXXXX";
     Descriptor file(::mkstemp(temporary.data()));
     if (file.get() < 0) failWriting(path, errno);
@@ -121,8 +133,8 @@ void writeFileAtomically(const fs::path& path, std::string_view text) {
 }
 
 void checkWritable(const fs::path& path) {
-    if (fs::is_directory(path)) failWriting(path, EISDIR);
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const fs::path target = writingTarget(path);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     if (::access(folder.c_str(), W_OK | X_OK) != 0) failWriting(path, errno);
 }
 

@@ -74,6 +74,18 @@ TEST_F(FileTest, FullDiskIsAnErrorAndLeavesNothing) {
     EXPECT_EXIT(writeOnFullDisk(folder), testing::ExitedWithCode(3), "");
 }
 
+TEST_F(FileTest, WritesThroughLinksButOnNothingElse) {
+    writeFileAtomically(folder / "a", std::string_view("old"));
+    fs::create_symlink("a", folder / "link");
+    writeFileAtomically(folder / "link", std::string_view("new"));
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(readFile(folder / "a", 100), "new");
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    EXPECT_THROW(writeFileAtomically(folder / "pipe", std::string_view("x")), MachineError);
+    EXPECT_THROW(checkWritable(folder / "pipe"), MachineError);
+    EXPECT_TRUE(fs::is_fifo(folder / "pipe")) << "a device would be lost in the same way";
+}
+
 TEST_F(FileTest, ChecksWritability) {
     EXPECT_NO_THROW(checkWritable(folder / "new.png"));
     EXPECT_THROW(checkWritable(folder), MachineError);

@@ -55,12 +55,14 @@ class AssetReader {
     std::shared_ptr<const Snippet> snippet(const Reference& file, SnippetKind kind,
                                            std::string_view suffix) {
         if (file.empty()) return nullptr;
+        if (!endsWith(file.name, suffix)) {
+            diagnostics_.error(file.where, fmt::format("the file's name must end in {}", suffix));
+            return nullptr;
+        }
         const auto known = snippets_.find(file.name);
         if (known != snippets_.end()) return known->second;
         std::shared_ptr<const Snippet> asset;
-        if (!endsWith(file.name, suffix)) {
-            diagnostics_.error(file.where, fmt::format("the file's name must end in {}", suffix));
-        } else if (const auto text = read(file, kMaxSnippetBytes)) {
+        if (const auto text = read(file, kMaxSnippetBytes)) {
             if (auto snippet = parseSnippet(*text, path_, kind, diagnostics_))
                 asset = std::make_shared<Snippet>(std::move(*snippet));
         }

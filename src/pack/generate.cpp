@@ -12,9 +12,8 @@ constexpr int kLoopBudget = 1024;
 constexpr const char* kGuard =
     "int snippetLoops = 0;\n"
     "bool snippetLoop() {{\n"
-    "    COUNT(countedLoops);\n"
     "    snippetLoops++;\n"
-    "    return snippetLoops <= {};\n"
+    "    return snippetLoops <= {} && mayLoop();\n"
     "}}\n";
 
 std::string globalName(const std::string& prefix, int index) {

@@ -26,6 +26,18 @@ std::array<glm::vec4, 3> rowsOf(const glm::mat4& m) {
     return {t[0], t[1], t[2]};
 }
 
+/// Scales that multiply down a chain of parents leave the range of floats, where boxes and
+/// inverses are no numbers.
+bool isUsable(const glm::mat4& worldFromObject) {
+    const glm::mat4 inverse = glm::inverse(worldFromObject);
+    for (int column = 0; column < 4; ++column)
+        for (const glm::mat4* m : {&worldFromObject, &inverse}) {
+            const glm::vec3 v((*m)[column]);
+            if (!isFinite(v) || glm::length(v) > kMaxCoordinate) return false;
+        }
+    return true;
+}
+
 glm::vec4 texel(int x, int y = 0, int z = 0, int w = 0) {
     return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z),
             static_cast<float>(w)};
@@ -179,6 +191,13 @@ class Packer {
                 scene_.shapes[static_cast<size_t>(shape)].sdf.empty())
                 diagnostics_.error(node.set[0].where, "only an SDF shape has parameters to set");
             if ((mesh == nullptr && field == nullptr) || !node.visible) continue;
+            if (!isUsable(world[i])) {
+                diagnostics_.error(
+                    node.where,
+                    fmt::format("with its parents, node '{}' is scaled or moved too far",
+                                node.name));
+                continue;
+            }
             addInstance(node, world[i], mesh, field);
         }
         out_.block.counts.z = addUpperLevel(false);
@@ -283,8 +302,7 @@ class Packer {
         b.sampling.w = r.seed;
         b.counts.x = static_cast<int>(scene_.lights.size());
         b.counts.y = r.marchSteps;
-        // A safety net: every loop ends here, far below where llvmpipe ends them silently.
-        b.counts.w = 16384;
+        b.counts.w = VITRINE_LOOP_BUDGET;
     }
 
     const Scene& scene_;

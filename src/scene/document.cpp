@@ -35,6 +35,25 @@ std::vector<std::string> splitKey(std::string_view key) {
     }
 }
 
+void replace(std::string& text, std::string_view what, std::string_view with) {
+    if (const size_t at = text.find(what); at != std::string::npos)
+        text.replace(at, what.size(), with);
+}
+
+/// The library's message for people who have never heard of it.
+std::string explainSyntax(std::string message, std::string_view text, toml::source_position at) {
+    const std::vector<std::string_view> lines = splitLines(text);
+    const bool atLineEnd =
+        at.line >= 1 && at.line <= lines.size() && at.column > lines[at.line - 1].size();
+    if (atLineEnd && message.find("unescaped control characters") != std::string::npos)
+        return "the text has no closing quote";
+    replace(message, "Error while parsing ", "");
+    replace(message, "saw '\\n'", "found the end of the line");
+    replace(message, " (TOML_MAX_NESTED_VALUES)", "");
+    if (startsWith(message, "boolean: ")) message += "; text needs quotes";
+    return message;
+}
+
 /// The value as TOML, or as text if it is none.
 std::optional<toml::table> parseValue(const std::string& value, const std::string& file) {
     for (const std::string& text : {"value = " + value, fmt::format("value = '''{}'''", value)}) {
@@ -101,6 +120,12 @@ const std::vector<std::string>& sectionNames() {
     return names;
 }
 
+std::string printable(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    return text;
+}
+
 SourceLocation placeOf(const toml::node& node) {
     const toml::table* table = node.as_table();
     // A table that `--set` made on its way to a key has no place, but that key has.
@@ -131,9 +156,9 @@ std::optional<toml::table> parseDocument(std::string_view text, const std::strin
     try {
         return toml::parse(text, file);
     } catch (const toml::parse_error& error) {
-        diagnostics.error({file, static_cast<int>(error.source().begin.line),
-                           static_cast<int>(error.source().begin.column)},
-                          std::string(error.description()));
+        const toml::source_position at = error.source().begin;
+        diagnostics.error({file, static_cast<int>(at.line), static_cast<int>(at.column)},
+                          explainSyntax(printable(std::string(error.description())), text, at));
         return {};
     }
 }

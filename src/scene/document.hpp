@@ -20,6 +20,9 @@ inline constexpr size_t kMaxSceneLine = 4096;
 /// [scene], [[camera]] and so on.
 const std::vector<std::string>& sectionNames();
 
+/// For a message: names and values may hold line ends and worse.
+std::string printable(std::string text);
+
 SourceLocation placeOf(const toml::node& node);
 /// Of a key and its value: the key's, unless it came from the command line.
 SourceLocation placeOf(const toml::key& key, const toml::node& value);

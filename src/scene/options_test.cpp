@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 
 #include "base/file.hpp"
 #include "scene/test_scene.hpp"
@@ -41,29 +42,34 @@ std::string valueOf(const Option<T>& option, const T& object) {
 }
 
 /// A number in the range, `step` quarters of it up.
-double inside(const Range& range, int step) {
+float inside(const Range& range, int step) {
     const double low = std::max(range.minimum, -7.0);
     const double high = std::min(range.maximum, low + 64);
-    return low + (high - low) * step / 4;
+    return static_cast<float>(low + (high - low) * step / 4);
 }
 
 template <class T>
 std::string otherValue(const Option<T>& option) {
     const Range& r = option.range;
+    const std::string usual = valueOf(option, T{});
     const auto write = [&](auto member) -> std::string {
         using M = decltype(member);
-        if constexpr (std::is_same_v<M, float T::*>) return fmt::format("{}", inside(r, 3));
-        if constexpr (std::is_same_v<M, int T::*>)
+        if constexpr (std::is_same_v<M, float T::*>) {
+            return fmt::format("{}", inside(r, 3));
+        } else if constexpr (std::is_same_v<M, int T::*>) {
             return fmt::format("{}", static_cast<int>(inside(r, 3)));
-        if constexpr (std::is_same_v<M, bool T::*>)
-            return valueOf(option, T{}) == "true" ? "false" : "true";
-        if constexpr (std::is_same_v<M, ChoiceMember<T>>) {
-            for (const std::string& word : member.words)
-                if (valueOf(option, T{}) != "\"" + word + "\"") return "\"" + word + "\"";
-        }
-        if constexpr (std::is_same_v<M, std::string T::*> || std::is_same_v<M, Reference T::*>)
+        } else if constexpr (std::is_same_v<M, bool T::*>) {
+            return usual == "true" ? "false" : "true";
+        } else if constexpr (std::is_same_v<M, ChoiceMember<T>>) {
+            const bool first = usual == fmt::format("\"{}\"", member.words[0]);
+            return fmt::format("\"{}\"", member.words[first ? 1 : 0]);
+        } else if constexpr (std::is_same_v<M, Reference T::*>) {
             return "\"other\"";
-        return textOf({inside(r, 1), inside(r, 2), inside(r, 3)});
+        } else if constexpr (std::is_same_v<M, std::string T::*>) {
+            return "\"fresh\"";
+        } else {
+            return textOf({inside(r, 1), inside(r, 2), inside(r, 3)});
+        }
     };
     return std::visit(write, option.member);
 }
@@ -74,57 +80,64 @@ bool isNumeric(const Option<T>& option) {
            valueOf(option, T{})[0] != '"';
 }
 
-/// A section of a scene around the key of a table, and where it ends up.
+/// Where a table's keys stand in a scene, and where they end up.
 template <class T>
 struct Place {
     std::string before, after;
     std::function<T(const Scene&)> find;
+    /// What a key needs beside it.
+    std::map<std::string, std::string> company{};
 };
 
 template <class T>
-void checkTable(const OptionTable<T>& options, const Place<T>& place) {
-    // Things that references may name.
+T parseIn(const Place<T>& place, const std::string& company, const std::string& assignment,
+          Diagnostics& diagnostics) {
     const std::string others =
-        "[material.other]\n[shape.other]\nsphere = {}\n"
-        "[[node]]\nname = \"other\"\n";
-    const auto parse = [&](const std::string& assignment, Diagnostics& diagnostics) {
-        const bool light = assignment.rfind("at =", 0) == 0 && place.before.find("[[light]]") == 0;
-        const std::string text = others + place.before + (light ? "type = \"point\"\n" : "") +
-                                 assignment + place.after + "\n";
-        return place.find(parseScene(text, "t", {}, diagnostics));
+        "[material.other]\n[shape.other]\nsphere = {}\n[[node]]\nname = \"other\"\n";
+    return place.find(parseScene(others + place.before + company + assignment + place.after, "t",
+                                 {}, diagnostics));
+}
+
+template <class T>
+void checkRow(const Option<T>& option, const OptionTable<T>& table, const Place<T>& place) {
+    SCOPED_TRACE(place.before + option.key);
+    EXPECT_FALSE(option.help.empty());
+    const auto company = place.company.find(option.key);
+    const std::string beside = company == place.company.end() ? "" : company->second;
+    const auto parse = [&](const std::string& value, Diagnostics& diagnostics) {
+        return parseIn(place, beside, option.key + " = " + value, diagnostics);
     };
-    for (const Option<T>& option : options) {
-        SCOPED_TRACE(place.before + option.key);
-        EXPECT_FALSE(option.help.empty());
-        const std::string value = otherValue(option);
-        Diagnostics good;
-        const T object = parse(option.key + " = " + value, good);
-        EXPECT_EQ(good.text(), "");
-        EXPECT_EQ(valueOf(option, object), value);
-        EXPECT_NE(value, valueOf(option, T{})) << "the test must change something";
+    Diagnostics good, wrongType;
+    const std::string value = otherValue(option);
+    const T object = parse(value, good);
+    EXPECT_EQ(good.text(), "");
+    EXPECT_EQ(valueOf(option, object), value);
+    EXPECT_NE(valueOf(option, T{}), value) << "the test must change something";
 
-        Diagnostics wrongType;
-        const T untouched = parse(option.key + " = [[1]]", wrongType);
-        EXPECT_NE(wrongType.text().find("error: " + option.key + " must be "), std::string::npos)
-            << wrongType.text();
-        const Option<T>& o = option;
-        EXPECT_EQ(valueOf(o, untouched), valueOf(o, parse("", wrongType)));
-
-        for (const double step : {-1.0, 1.0}) {
-            if (!isNumeric(option)) continue;
-            const double limit = step < 0 ? option.range.minimum : option.range.maximum;
-            const std::string number = fmt::format("{}", limit + step);
-            Diagnostics outside;
-            const bool vector = valueOf(option, T{})[0] == '[';
-            const T same = parse(
-                option.key + " = " + (vector ? fmt::format("[{0}, {0}, {0}]", number) : number),
-                outside);
-            EXPECT_NE(outside.text().find(fmt::format("{} is {}; it must be ", option.key, number)),
-                      std::string::npos)
-                << outside.text();
-            EXPECT_EQ(valueOf(option, same), valueOf(option, untouched));
-        }
+    const T untouched = parse("[[1]]", wrongType);
+    EXPECT_NE(wrongType.text().find("error: " + option.key + " must be "), std::string::npos)
+        << wrongType.text();
+    for (const Option<T>& other : table) {
+        // Giving the field of view takes the default away from the focal length.
+        if (other.key == "focal_length") continue;
+        const bool same = valueOf(other, object) == valueOf(other, untouched);
+        EXPECT_EQ(same, other.key != option.key) << other.key;
     }
+    if (!isNumeric(option)) return;
+    const bool vector = valueOf(option, T{})[0] == '[';
+    for (const double bad : {option.range.minimum - 1, option.range.maximum + 1}) {
+        Diagnostics outside;
+        const T same =
+            parse(vector ? fmt::format("[{0}, {0}, {0}]", bad) : fmt::format("{}", bad), outside);
+        const std::string message = fmt::format("{} is {}; it must be ", option.key, bad);
+        EXPECT_NE(outside.text().find(message), std::string::npos) << outside.text();
+        EXPECT_EQ(valueOf(option, same), valueOf(option, untouched));
+    }
+}
+
+template <class T>
+void checkTable(const OptionTable<T>& table, const Place<T>& place) {
+    for (const Option<T>& option : table) checkRow(option, table, place);
 }
 
 TEST(Options, EveryRowOfSingleSectionsReachesItsMember) {
@@ -138,37 +151,32 @@ TEST(Options, EveryRowOfSingleSectionsReachesItsMember) {
 TEST(Options, EveryRowOfListedSectionsReachesItsMember) {
     checkTable<Camera>(cameraOptions(),
                        {"[[camera]]\n", "", [](const Scene& s) { return s.cameras.at(0); }});
-    checkTable<Light>(lightOptions(),
-                      {"[[light]]\n", "", [](const Scene& s) { return s.lights.at(0); }});
-    OptionTable<Node> options = nodeOptions();
-    const auto needsShape = [](const Option<Node>& o) { return o.key == "material"; };
-    const auto isName = [](const Option<Node>& o) { return o.key == "name"; };
-    const auto node = [](const Scene& s) { return s.nodes.at(1); };
-    checkTable<Node>({*std::find_if(options.begin(), options.end(), needsShape)},
-                     {"[[node]]\nshape = \"other\"\n", "", node});
-    std::erase_if(options, needsShape);
-    // The name "other" is taken; renaming the first node leaves the second one free to take it.
-    Diagnostics diagnostics;
-    EXPECT_EQ(parseScene("[[node]]\nname = \"n\"", "t", {}, diagnostics).nodes[0].name, "n");
-    std::erase_if(options, isName);
-    checkTable<Node>(options, {"[[node]]\n", "", node});
+    checkTable<Light>(lightOptions(), {"[[light]]\n",
+                                       "",
+                                       [](const Scene& s) { return s.lights.at(0); },
+                                       {{"at", "type = \"point\"\n"}}});
+    checkTable<Node>(nodeOptions(), {"[[node]]\n",
+                                     "",
+                                     [](const Scene& s) { return s.nodes.at(1); },
+                                     {{"material", "shape = \"other\"\n"}}});
 }
 
 TEST(Options, EveryRowOfNamedSectionsReachesItsMember) {
-    const auto material = [](const Scene& s) { return s.materials.at(0); };
-    checkTable<Material>(materialOptions(), {"[material.a]\n", "", material});
     const auto shape = [](const Scene& s) { return s.shapes.at(0); };
     checkTable<Shape>(shapeOptions(), {"[shape.a]\n", "", shape});
-    const auto box = [&](const Scene& s) { return *shape(s).box; };
-    checkTable<BoxShape>(boxOptions(), {"[shape.a]\nbox = { ", " }", box});
-    const auto sphere = [&](const Scene& s) { return *shape(s).sphere; };
-    checkTable<SphereShape>(sphereOptions(), {"[shape.a]\nsphere = { ", " }", sphere});
-    const auto plane = [&](const Scene& s) { return *shape(s).plane; };
-    checkTable<PlaneShape>(planeOptions(), {"[shape.a]\nplane = { ", " }", plane});
-    const auto torus = [&](const Scene& s) { return *shape(s).torus; };
-    checkTable<TorusShape>(torusOptions(), {"[shape.a]\ntorus = { ", " }", torus});
-    const auto cylinder = [&](const Scene& s) { return *shape(s).cylinder; };
-    checkTable<CylinderShape>(cylinderOptions(), {"[shape.a]\ncylinder = { ", " }", cylinder});
+    checkTable<Material>(materialOptions(),
+                         {"[material.a]\n", "", [](const Scene& s) { return s.materials.at(0); }});
+    checkTable<BoxShape>(
+        boxOptions(), {"[shape.a]\nbox = { ", " }", [&](const Scene& s) { return *shape(s).box; }});
+    checkTable<SphereShape>(sphereOptions(), {"[shape.a]\nsphere = { ", " }",
+                                              [&](const Scene& s) { return *shape(s).sphere; }});
+    checkTable<PlaneShape>(planeOptions(), {"[shape.a]\nplane = { ", " }",
+                                            [&](const Scene& s) { return *shape(s).plane; }});
+    checkTable<TorusShape>(torusOptions(), {"[shape.a]\ntorus = { ", " }",
+                                            [&](const Scene& s) { return *shape(s).torus; }});
+    checkTable<CylinderShape>(
+        cylinderOptions(),
+        {"[shape.a]\ncylinder = { ", " }", [&](const Scene& s) { return *shape(s).cylinder; }});
 }
 
 /// VITRINE_UPDATE_DOCS=1 writes the page anew. Tests run in the root of the source tree.

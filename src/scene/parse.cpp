@@ -40,6 +40,12 @@ class SceneParser {
             else if (section == "shape")
                 named(node, section,
                       [&](const std::string& n, const toml::table& t) { shape(n, t); });
+            else if (!node.is_table() && !node.is_array_of_tables())
+                diagnostics_.error(
+                    placeOf(key, node),
+                    fmt::format("'{}' belongs to no section; write one above, such as "
+                                "[render]",
+                                section));
             else
                 diagnostics_.error(placeOf(key, node),
                                    fmt::format("unknown section '{}'{}", section,
@@ -167,6 +173,7 @@ class SceneParser {
         shape.where = placeOf(table);
         static const std::vector<std::string> kBuiltIn{"box", "sphere", "plane", "torus",
                                                        "cylinder"};
+        const size_t mistakes = diagnostics_.list().size();
         readTable(table, "[shape." + name + "]", shapeOptions(), kBuiltIn, shape, diagnostics_);
         builtIn(table, "box", boxOptions(), shape.box);
         builtIn(table, "sphere", sphereOptions(), shape.sphere);
@@ -178,7 +185,9 @@ class SceneParser {
         const int given = !shape.sdf.empty() + !shape.mesh.empty() + shape.box.has_value() +
                           shape.sphere.has_value() + shape.plane.has_value() +
                           shape.torus.has_value() + shape.cylinder.has_value();
-        if (given != 1)
+        // What was meant to be the shape has been complained about.
+        const bool misspelt = given == 0 && diagnostics_.list().size() > mistakes;
+        if (given != 1 && !misspelt)
             diagnostics_.error(
                 shape.where, fmt::format("shape '{}' must have exactly one of sdf, mesh, {}", name,
                                          fmt::join(kBuiltIn, ", ")));
@@ -210,7 +219,7 @@ class SceneParser {
                 diagnostics_.error(placeOf(*unused),
                                    fmt::format("{} has no effect: the node has no shape", key));
         for (int axis = 0; axis < 3; ++axis)
-            if (std::abs(node.scale[axis]) < 1e-6f && table.get("scale") != nullptr) {
+            if (node.scale[axis] == 0) {
                 diagnostics_.error(placeOf(*table.get("scale")), "scale must not be zero");
                 node.scale = glm::vec3(1);
             }
@@ -225,7 +234,8 @@ class SceneParser {
         }
         for (const auto& [key, value] : *table) {
             Reference reference{{}, placeOf(value)};
-            if (!readText(value, "parts", reference.name, diagnostics_)) continue;
+            if (!readText(value, "parts." + std::string(key.str()), reference.name, diagnostics_))
+                continue;
             node.parts.emplace_back(std::string(key.str()), reference);
             node.partPlaces.push_back(placeOf(key, value));
         }
@@ -253,7 +263,10 @@ Scene parseScene(std::string_view text, const std::string& file,
     std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::tie(a.where.line, a.where.column) < std::tie(b.where.line, b.where.column);
     });
-    for (Diagnostic& diagnostic : sorted) diagnostics.add(std::move(diagnostic));
+    for (Diagnostic& diagnostic : sorted) {
+        diagnostic.message = printable(diagnostic.message);
+        diagnostics.add(std::move(diagnostic));
+    }
     if (scene.cameras.empty()) {
         Camera camera;
         camera.name = "default";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/values.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vitrine {
@@ -59,7 +60,9 @@ bool readNumber(const toml::node& node, const std::string& what, Range range, do
 bool readVector(const toml::node& node, const std::string& what, Range range, glm::vec3& out,
                 Diagnostics& diagnostics) {
     const toml::array* array = node.as_array();
-    if (array == nullptr || array->size() != 3) {
+    const auto isNumber = [](const toml::node& n) { return n.is_number(); };
+    if (array == nullptr || array->size() != 3 ||
+        !std::all_of(array->begin(), array->end(), isNumber)) {
         diagnostics.error(placeOf(node),
                           fmt::format("{} must be three numbers, as in [0, 1, 2]", what));
         return false;
@@ -128,6 +131,12 @@ void readParameters(const toml::node& node, const std::string& what,
                 parameter.value[i] = static_cast<float>(component);
             }
             if (!good) continue;
+        } else if (!value.is_number()) {
+            diagnostics.error(placeOf(value),
+                              fmt::format("{} must be a number, two to four of them in brackets, a "
+                                          "colour, true or false",
+                                          name));
+            continue;
         } else {
             double number = 0;
             if (!readNumber(value, name, {}, number, diagnostics)) continue;

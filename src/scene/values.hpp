@@ -68,7 +68,9 @@ void readOption(const toml::node& node, const Option<T>& option, T& object,
             if (node.is_array() && node.as_array()->size() == 3)
                 readVector(node, key, option.range, object.*member.member, diagnostics);
             else if (!node.is_number())
-                diagnostics.error(placeOf(node), fmt::format("{} must be a number or three", key));
+                diagnostics.error(
+                    placeOf(node),
+                    fmt::format("{} must be one number, or three as in [1, 2, 1]", key));
             else if (readNumber(node, key, option.range, value, diagnostics))
                 object.*member.member = glm::vec3(static_cast<float>(value));
         } else {

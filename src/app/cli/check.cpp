@@ -4,19 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.hpp"
-#include "frame/check_snippets.hpp"
 
 namespace vitrine {
 namespace {
-
-bool hasSnippets(const Assets& assets) {
-    const auto there = [](const auto& list) {
-        for (const auto& snippet : list)
-            if (snippet != nullptr) return true;
-        return false;
-    };
-    return there(assets.fields) || there(assets.materials);
-}
 
 nlohmann::ordered_json toJson(const Diagnostics& diagnostics) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -35,8 +25,7 @@ int check(const CheckOptions& options) {
     Diagnostics diagnostics;
     try {
         const LoadedScene loaded = loadAll(options.file, options.overrides, diagnostics);
-        if (hasSnippets(loaded.assets))
-            diagnostics.append(checkSnippets(*Context::createHeadless(), loaded.assets));
+        compileSnippets(loaded, diagnostics);
     } catch (const InputError& error) {
         diagnostics.append(error.diagnostics());
     }

@@ -29,13 +29,16 @@ bool takeSign(std::string_view& text, char sign) {
 }  // namespace
 
 FrameRange parseFrames(const std::string& text) {
+    constexpr int kMaxFrame = 9'999'999;  // more than a day of film
     std::string_view rest = text;
     FrameRange range;
     range.first = range.last = takeNumber(rest);
     if (takeSign(rest, '-')) range.last = takeNumber(rest);
     if (takeSign(rest, ':')) range.step = takeNumber(rest);
-    if (!rest.empty() || range.first < 0 || range.last < range.first || range.step < 1)
-        throw UsageError(fmt::format("--frames: '{}' is not A-B or A-B:STEP with A <= B", text));
+    if (!rest.empty() || range.first < 0 || range.last < range.first || range.last > kMaxFrame ||
+        range.step < 1)
+        throw UsageError(fmt::format("--frames: '{}' is not A-B or A-B:STEP with A <= B <= {}",
+                                     text, kMaxFrame));
     return range;
 }
 

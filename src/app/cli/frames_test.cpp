@@ -14,7 +14,8 @@ TEST(Frames, Ranges) {
     EXPECT_EQ(range.step, 4);
     EXPECT_EQ(parseFrames("7").last, 7);
     EXPECT_EQ(parseFrames("0-23").step, 1);
-    for (const char* bad : {"", "-", "a", "5-4", "1-2:0", "1-2:", "1-2x", "1--2", "99999999999"})
+    for (const char* bad : {"", "-", "a", "5-4", "1-2:0", "1-2:", "1-2x", "1--2", "99999999999",
+                            "0-2147483647:2147483647"})
         EXPECT_THROW(parseFrames(bad), UsageError) << bad;
 }
 

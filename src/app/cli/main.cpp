@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -13,6 +14,15 @@ namespace vitrine {
 namespace {
 
 constexpr int kInputFault = 1, kUsageFault = 2, kMachineFault = 3;
+
+/// A range lets "nan" through, because it is neither too small nor too large.
+const CLI::Validator kFinite{
+    [](const std::string& text) {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        return good ? std::string() : "'" + text + "' is not a finite number";
+    },
+    ""};
 
 void addOverrides(CLI::App& command, std::vector<std::string>& overrides) {
     command.add_option("--set", overrides, "change a key of the scene: render.exposure=1")
@@ -27,10 +37,11 @@ void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen)
     c->add_option("-o,--output", o.output, "name.png, or name_####.png with --frames")->required();
     c->add_option("-r,--resolution", o.resolution, "width x height")->capture_default_str();
     c->add_option("--spp", o.samples, "samples a pixel")->check(CLI::Range(1, 65536));
-    c->add_option("--time", o.time, "seconds");
+    c->add_option("--time", o.time, "seconds")->check(CLI::Range(-1e6, 1e6))->check(kFinite);
     c->add_option("--frames", o.frames, "A-B or A-B:STEP: a picture each");
     c->add_option("--fps", o.fps, "frames a second")
         ->check(CLI::Range(0.001, 10000.0))
+        ->check(kFinite)
         ->capture_default_str();
     c->add_option("--camera", o.camera, "the camera of this name");
     c->add_option("--view", o.view, fmt::format("what to show: {}", fmt::join(viewNames(), " ")))
@@ -71,9 +82,11 @@ void defineCompare(CLI::App& app, CompareOptions& o, std::function<int()>& chose
     c->add_option("B", o.b)->required();
     c->add_option("--tolerance", o.tolerance,
                   "exit with 1 if too many pixels differ by more than this, in steps of 1/255")
-        ->check(CLI::Range(0.0, 255.0));
+        ->check(CLI::Range(0.0, 255.0))
+        ->check(kFinite);
     c->add_option("--fraction", o.fraction, "how many pixels are too many, as a part of all")
         ->check(CLI::Range(0.0, 1.0))
+        ->check(kFinite)
         ->capture_default_str();
     c->add_option("-o,--output", o.output, "write a heat map of the difference (FLIP)");
     c->add_option("--json", o.json, "write the numbers to this file, or - ");
@@ -111,7 +124,9 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : kUsageFault;
     }
-    return chosen();
+    const int code = chosen();
+    if (std::fflush(stdout) != 0) throw MachineError("cannot write to standard output");
+    return code;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(int total)
+Progress::Progress(int64_t total)
     : visible_(::isatty(STDERR_FILENO) == 1),
       total_(total),
       start_(std::chrono::steady_clock::now()) {}
@@ -34,7 +34,7 @@ void Progress::step(const std::string& what) {
     if (now - shown_ < std::chrono::milliseconds(100) && done_ < total_) return;
     shown_ = now;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const double left = elapsed / done_ * (total_ - done_);
+    const double left = elapsed / static_cast<double>(done_) * static_cast<double>(total_ - done_);
     const std::string line =
         fmt::format("\r\033[K{}: {} of {}, {} left", what, done_, total_, duration(left));
     std::fputs(line.c_str(), stderr);

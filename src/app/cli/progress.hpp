@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 namespace vitrine {
@@ -10,7 +11,7 @@ namespace vitrine {
 class Progress {
   public:
     /// `total` steps of equal work.
-    explicit Progress(int total);
+    explicit Progress(int64_t total);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -18,7 +19,7 @@ class Progress {
 
   private:
     bool visible_;
-    int total_, done_ = 0;
+    int64_t total_, done_ = 0;
     std::chrono::steady_clock::time_point start_, shown_;
 };
 

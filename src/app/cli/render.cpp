@@ -70,13 +70,13 @@ int render(const RenderOptions& options) {
     picture.primary = options.primary == "trace" ? Primary::kTrace : Primary::kRaster;
     const bool several = !options.frames.empty();
     const FrameRange range = several ? parseFrames(options.frames) : FrameRange{};
-    if (several) (void)frameFileName(options.output, range.first);
     // Better to fail now than after an hour of rendering.
-    if (options.output != "-") checkWritable(options.output);
+    checkWritable(several ? frameFileName(options.output, range.first) : options.output);
     if (!options.json.empty() && options.json != "-") checkWritable(options.json);
 
     Diagnostics diagnostics;
     const LoadedScene loaded = loadAll(options.file, options.overrides, diagnostics);
+    if (diagnostics.hasErrors()) compileSnippets(loaded, diagnostics);
     diagnostics.throwIfErrors();
     if (!diagnostics.list().empty()) fmt::print(stderr, "{}\n", diagnostics.text());
     (void)findCamera(loaded.scene, options.camera);
@@ -85,9 +85,10 @@ int render(const RenderOptions& options) {
     Renderer renderer(loaded, parseBackend(options.backend), counters);
     const int samples = options.samples.value_or(loaded.scene.render.samples);
     const int frames = (range.last - range.first) / range.step + 1;
-    Progress progress(frames * samples);
+    Progress progress(static_cast<int64_t>(frames) * samples);
     const auto start = std::chrono::steady_clock::now();
-    for (int frame = range.first; frame <= range.last; frame += range.step) {
+    for (int i = 0; i < frames; ++i) {
+        const int frame = range.first + i * range.step;
         picture.time = several ? static_cast<float>(frame) / options.fps : options.time;
         const std::string file = several ? frameFileName(options.output, frame) : options.output;
         const ImageRgba8 image = renderer.draw(picture, [&](int, int) { progress.step(file); });

@@ -15,7 +15,8 @@ namespace {
 
 constexpr uint64_t kMaxSnippetBytes = 64u << 10;
 
-/// All lengths are in units of the object, whose box stands on the plinth's top at y = 0.
+/// The object is scaled to a radius of 1, whatever its unit is, and its box stands on the plinth's
+/// top at y = 0.
 constexpr const char* kScene = R"([scene]
 title = '{name}'
 [render]
@@ -54,6 +55,7 @@ name = "object"
 shape = "object"
 material = "body"
 at = [{x}, {y}, {z}]
+scale = {scale}
 [[node]]
 name = "plinth"
 shape = "plinth"
@@ -95,19 +97,20 @@ std::optional<std::string> sceneAround(const std::filesystem::path& file,
         throw InputError({file.string()}, "the file's name has a quote or a line end in it");
     const std::optional<Aabb> box = boundsOf(file, diagnostics);
     if (!box) return {};
-    const glm::vec3 size = box->extent();
-    const glm::vec3 centre = box->centre();
-    const float radius = std::max(0.5f * glm::length(size), 1e-6f);
-    const float plinthRadius = 1.12f * 0.5f * std::hypot(size.x, size.z) + 0.05f * radius;
-    const float plinthHeight = 0.35f * radius;
-    const glm::vec3 toEye = glm::normalize(glm::vec3(0.62f, 0.42f, 1.0f)) * (4.4f * radius);
+    // Half of a nanometre or a million kilometres still make a picture.
+    const float scale = 1 / std::clamp(0.5f * glm::length(box->extent()), 2e-9f, 1e18f);
+    const glm::vec3 size = box->extent() * scale;
+    const glm::vec3 centre = box->centre() * scale;
+    const float plinthRadius = 1.12f * 0.5f * std::hypot(size.x, size.z) + 0.05f;
+    const float plinthHeight = 0.35f;
+    const glm::vec3 toEye = glm::normalize(glm::vec3(0.62f, 0.42f, 1.0f)) * 4.4f;
     using namespace fmt::literals;
     return fmt::format(kScene, "name"_a = name, "kind"_a = endsWith(name, ".obj") ? "mesh" : "sdf",
                        "eyeX"_a = toEye.x, "eyeY"_a = toEye.y + 0.5f * size.y, "eyeZ"_a = toEye.z,
-                       "targetY"_a = 0.46f * size.y, "x"_a = -centre.x, "y"_a = -box->min.y,
+                       "targetY"_a = 0.46f * size.y, "x"_a = -centre.x, "y"_a = -box->min.y * scale,
                        "z"_a = -centre.z, "plinthRadius"_a = plinthRadius,
                        "plinthHeight"_a = plinthHeight, "plinthY"_a = -0.5f * plinthHeight,
-                       "floorY"_a = -plinthHeight, "floorSize"_a = 60 * radius);
+                       "floorY"_a = -plinthHeight, "floorSize"_a = 60, "scale"_a = scale);
 }
 
 }  // namespace vitrine

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/session/bare_file.hpp"
 #include "base/text.hpp"
 #include "frame/check_snippets.hpp"
@@ -26,6 +28,20 @@ LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::st
     loaded.assets = loadAssets(loaded.scene, diagnostics);
     loaded.packed = packScene(loaded.scene, loaded.assets, diagnostics);
     return loaded;
+}
+
+void compileSnippets(const LoadedScene& loaded, Diagnostics& diagnostics) {
+    const auto there = [](const auto& list) {
+        return std::any_of(list.begin(), list.end(), [](const auto& s) { return s != nullptr; });
+    };
+    if (!there(loaded.assets.fields) && !there(loaded.assets.materials)) return;
+    try {
+        diagnostics.append(checkSnippets(*Context::createHeadless(), loaded.assets));
+    } catch (const MachineError& error) {
+        if (!diagnostics.hasErrors()) throw;
+        diagnostics.warning({loaded.scene.file},
+                            fmt::format("the snippets were not compiled: {}", error.what()));
+    }
 }
 
 const Camera& findCamera(const Scene& scene, const std::string& name) {

@@ -28,6 +28,10 @@ struct LoadedScene {
 LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                     Diagnostics& diagnostics);
 
+/// Adds what the GLSL compiler has to say about each snippet. Throws MachineError without OpenGL,
+/// unless the scene has errors already, which are worth more.
+void compileSnippets(const LoadedScene& loaded, Diagnostics& diagnostics);
+
 /// The camera of this name, or the first one for "". Throws UsageError if there is none such.
 const Camera& findCamera(const Scene& scene, const std::string& name);
 
