@@ -39,7 +39,8 @@ bool entryExists(const std::string& pass, ShaderStage stage) {
 std::string validate(const std::string& text, const char* stage, const fs::path& folder) {
     const fs::path file = folder / (std::string("shader.") + stage);
     writeFileAtomically(file, text);
-    const std::string command = fmt::format("glslangValidator -S {} '{}' 2>&1", stage, file.string());
+    const std::string command =
+        fmt::format("glslangValidator -S {} '{}' 2>&1", stage, file.string());
     FILE* pipe = ::popen(command.c_str(), "r");
     std::string output;
     char buffer[4096];
@@ -90,11 +91,13 @@ TEST_F(ShaderDialects, AllVariantsAreAccepted) {
             for (const ProgramFeatures& features :
                  {ProgramFeatures{true, true, false}, ProgramFeatures{true, true, true},
                   ProgramFeatures{true, false, false}, ProgramFeatures{false, true, false}}) {
-                if (!pass.traces && (!features.meshes || !features.fields || features.counters)) continue;
+                if (!pass.traces && (!features.meshes || !features.fields || features.counters))
+                    continue;
                 const ShaderKey key = shaderKey(pass.name, features, target.stage, target.dialect);
                 const std::string log = validate(assembleShader(key, generated.includes).text,
                                                  target.glslangStage, folder);
-                EXPECT_EQ(log, "") << key.text() << " for dialect " << static_cast<int>(target.dialect);
+                EXPECT_EQ(log, "")
+                    << key.text() << " for dialect " << static_cast<int>(target.dialect);
                 ++compiled;
             }
         }
