@@ -118,7 +118,8 @@ std::vector<glm::vec3> randomDirections(std::mt19937& random, int count) {
         const float z = uniform(random, -1, 1);
         const float angle = uniform(random, 0, 2 * kPi);
         const float r = std::sqrt(1 - z * z);
-        directions.push_back(glm::normalize(glm::vec3(r * std::cos(angle), r * std::sin(angle), z)));
+        directions.push_back(
+            glm::normalize(glm::vec3(r * std::cos(angle), r * std::sin(angle), z)));
     }
     return directions;
 }

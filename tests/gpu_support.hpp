@@ -2,6 +2,7 @@
 // For the tests that draw: a GL context, scenes made by code, rays through the shaders' tracer.
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>

@@ -50,14 +50,15 @@ inline constexpr double kAcross = 5e-7;
 inline double reachOf(const Ray& ray, const Answer& answer) {
     double reach = 0;
     for (const glm::dvec3& corner : answer.corners)
-        reach = std::max({reach, glm::length(corner - glm::dvec3(ray.origin)), glm::length(corner)});
+        reach =
+            std::max({reach, glm::length(corner - glm::dvec3(ray.origin)), glm::length(corner)});
     return std::max(reach, glm::length(glm::dvec3(ray.origin)));
 }
 
 /// Sine of the angle between the ray and the triangle's plane.
 inline double sineTo(const Ray& ray, const Answer& answer) {
-    const glm::dvec3 n = glm::cross(answer.corners[1] - answer.corners[0],
-                                    answer.corners[2] - answer.corners[0]);
+    const glm::dvec3 n =
+        glm::cross(answer.corners[1] - answer.corners[0], answer.corners[2] - answer.corners[0]);
     const glm::dvec3 d(ray.direction);
     return std::abs(glm::dot(n, d)) / std::max(glm::length(n) * glm::length(d), 1e-300);
 }
@@ -69,17 +70,17 @@ enum class Verdict { kSame, kOnTheLimit, kWrong };
 /// that the other does not, and the ray passes one of its edges, or starts on it, within the
 /// rounding.
 inline Verdict compare(const Ray& ray, const std::optional<Answer>& a,
-                       const std::optional<Answer>& b) {
+                       const std::optional<Answer>& b, double across = kAcross) {
     if (!a && !b) return Verdict::kSame;
     const double unit = glm::length(glm::dvec3(ray.direction));
     if (a && b) {
         const double sine = std::max(std::min(sineTo(ray, *a), sineTo(ray, *b)), 1e-12);
-        const double allowed = kAcross * std::max(reachOf(ray, *a), reachOf(ray, *b)) / sine;
+        const double allowed = across * std::max(reachOf(ray, *a), reachOf(ray, *b)) / sine;
         if (std::abs(a->t - b->t) * unit <= allowed) return Verdict::kSame;
     }
     // The nearer one is what the other has overlooked.
     const Answer& nearer = !b || (a && a->t < b->t) ? *a : *b;
-    const double rounding = kAcross * reachOf(ray, nearer);
+    const double rounding = across * reachOf(ray, nearer);
     const bool starts = std::abs(nearer.t) * unit * sineTo(ray, nearer) <= rounding;
     return starts || distanceToEdges(ray, nearer.corners) <= rounding ? Verdict::kOnTheLimit
                                                                       : Verdict::kWrong;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The shaders' tracer against three others: brute force, the tree on the CPU, and Embree.
 //
-// Tolerances: see gpu_trace_support.hpp. Rays along limits, where an answer may differ by rounding,
-// are counted: at most one in a thousand of random rays; hostile ones run along limits on purpose.
+// Tolerances: see gpu_trace_support.hpp. Rays on the limit, along an edge or starting on a
+// triangle, are counted: at most one in a thousand of random rays; hostile ones are there on
+// purpose.
 #include "bvh/build.hpp"
 #include "bvh/test_meshes.hpp"
 #include "bvh/traverse.hpp"
@@ -23,7 +24,9 @@ QueryRay queryOf(const Ray& ray) {
     return {ray.origin, 0, glm::normalize(ray.direction)};
 }
 
-Ray rayOf(const QueryRay& ray) { return {ray.origin, ray.direction, 0, ray.length}; }
+Ray rayOf(const QueryRay& ray) {
+    return {ray.origin, ray.direction, 0, ray.length};
+}
 
 Answer answerOf(const test::Mesh& mesh, uint32_t triangle, double t) {
     Answer answer{t, {}};
@@ -90,7 +93,7 @@ void expectAgreement(const Context& context, const test::Mesh& mesh, const std::
         EXPECT_LE(oracle.limits, allowed);
         EXPECT_LE(brute.limits, allowed);
         EXPECT_LE(robust.limits, allowed);
-        EXPECT_GT(oracle.hits, static_cast<int>(rays.size()) / 20);
+        EXPECT_GT(oracle.hits, static_cast<int>(rays.size()) / 50);
     }
 }
 
@@ -198,8 +201,9 @@ TEST_F(TraceTest, AnyHitIsClosestHitWithinTheLength) {
         const test::Mesh mesh = test::soup(random, 2000, 1, size);
         test::TestScene scene;
         scene.add(scene.addMesh(mesh.positions, mesh.triangles));
-        scene.add(scene.addField("// bounds[-0.6, -0.6, -0.6, 0.6, 0.6, 0.6]\n"
-                                 "float sdf(vec3 p) { return length(p) - 0.5; }"));
+        scene.add(
+            scene.addField("// bounds[-0.6, -0.6, -0.6, 0.6, 0.6, 0.6]\n"
+                           "float sdf(vec3 p) { return length(p) - 0.5; }"));
         std::vector<QueryRay> rays;
         for (int i = 0; i < 10000; ++i) {
             rays.push_back(queryOf(test::ray(random, 1.5f)));
