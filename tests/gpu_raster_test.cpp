@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The `raster` finder against the `trace` finder: the same picture, whoever finds the first hits.
 //
-// Fewer than 0.1 % of the pixels may be off by more than 5 of 255. They are pixels whose centre lies
-// within the rasteriser's 1/256 of an edge. A picture shifted by a tenth of a pixel fails (below).
+// Fewer than 0.1 % of the pixels may be off by more than 5 of 255. They are pixels whose centre
+// lies within the rasteriser's 1/256 of an edge. A picture shifted by a tenth of a pixel fails
+// (below).
 #include "gpu_support.hpp"
 #include "image/compare.hpp"
 #include "mesh/primitives.hpp"
@@ -63,7 +64,8 @@ TEST_F(RasterTest, MirroredAndSqueezedInstancesAndAnEyeInsideAMesh) {
     const int torus = made.addMesh(makeTorus(0.5f, 0.2f, 48, 24));
     const int room = made.addMesh(makeBox(glm::vec3(4)));
     const int ball = made.addField(
-        "// bounds[-0.5, -0.5, -0.5, 0.5, 0.5, 0.5]\nfloat sdf(vec3 p) { return length(p) - 0.45; }\n");
+        "// bounds[-0.5, -0.5, -0.5, 0.5, 0.5, 0.5]\nfloat sdf(vec3 p) { return length(p) - 0.45; "
+        "}\n");
     Material matt;
     matt.roughness = 1;
     const int material = made.addMaterial(matt);

@@ -77,6 +77,9 @@ int TestScene::addMaterial(const Material& material) {
     scene.materials.push_back(material);
     scene.materials.back().name = "material" + std::to_string(scene.materials.size() - 1);
     assets_.materials.push_back(nullptr);
+    auto& pictures = assets_.pictures.emplace_back();
+    for (const MaterialTexture* texture : materialTextures(material))
+        pictures.push_back(texture->image);
     return static_cast<int>(scene.materials.size()) - 1;
 }
 

@@ -20,7 +20,8 @@ std::shared_ptr<ImageRgba8> squares() {
 }
 
 /// The texture seen from straight above, on a plane of 2 x 2 m; up in the picture is -z.
-LoadedScene lookDown(const std::shared_ptr<ImageRgba8>& image, float height, const glm::mat3& place) {
+LoadedScene lookDown(const std::shared_ptr<ImageRgba8>& image, float height,
+                     const glm::mat3& place) {
     test::TestScene made;
     Material material;
     material.baseColor.rgb = glm::vec3(1);

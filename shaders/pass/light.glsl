@@ -44,6 +44,7 @@ vec3 shade(uvec4 record, Path path, ivec2 pixel) {
     bool shadowView = frame.image.w == VITRINE_VIEW_SHADOW;
     int lights = frame.counts.x;
     int ambient = shadowView ? 0 : max(1, int(frame.display.w) / (frame.sampling.z == 0 ? 1 : 4));
+    vec3 ambientSum = vec3(0.0);
     vec3 sum = shadowView ? vec3(0.0) : hit.surface.emission;
     for (int i = 0; i < lights + ambient; i++) {
         if (!mayLoop()) break;
@@ -63,9 +64,12 @@ vec3 shade(uvec4 record, Path path, ivec2 pixel) {
         uvec4 obstacle = missRecord();
         if (distance > 0.0)
             obstacle = trace(Ray(hit.rayOrigin, probe.direction, hit.radius), distance);
-        sum += isSurface(obstacle) ? probe.blocked : probe.open;
+        vec3 light = isSurface(obstacle) ? probe.blocked : probe.open;
+        if (i < lights) sum += light;
+        else ambientSum += light;
     }
-    return sum;
+    // More occlusion than is natural (ao above 1) must not take away other light.
+    return sum + max(ambientSum, 0.0);
 }
 
 vec4 lightPass(ivec2 pixel) {

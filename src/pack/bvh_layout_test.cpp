@@ -150,13 +150,17 @@ TEST(BvhLayout, InstancesAreReachedOnce) {
     BuildOptions options;
     options.maxLeafSize = 1;
     BvhLayout layout;
-    const uint32_t root = layout.addInstances(buildBvh(boxes, options));
+    // Numbered backwards, so that an item is not taken for its instance.
+    std::vector<uint32_t> numbers(boxes.size());
+    for (size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = static_cast<uint32_t>(numbers.size() - 1 - i);
+    const uint32_t root = layout.addInstances(buildBvh(boxes, options), numbers);
     std::vector<int> seen(boxes.size(), 0);
     test::forEachLeaf(layout.texels(), root, [&](uint32_t slot, const Aabb& box, int stack) {
         const uint32_t instance = layout.texels()[slot * VITRINE_SLOT_TEXELS].x;
         ASSERT_LT(instance, seen.size());
         ++seen[instance];
-        EXPECT_TRUE(contains(box, boxes[instance]));
+        EXPECT_TRUE(contains(box, boxes[numbers[instance]]));
         EXPECT_LE(stack, layout.stackBound());
     });
     for (const int count : seen) EXPECT_EQ(count, 1);
@@ -175,8 +179,9 @@ TEST(BvhLayout, BothLevelsShareTheStack) {
     EXPECT_EQ(both.layout.stackBound(), largeBound) << "a ray is in one mesh at a time";
     BvhLayout upper;
     const std::vector<Aabb> boxes = small.boxes();
-    upper.addInstances(buildBvh(boxes));
-    both.layout.addInstances(buildBvh(boxes));
+    const std::vector<uint32_t> numbers(boxes.size(), 0);
+    upper.addInstances(buildBvh(boxes), numbers);
+    both.layout.addInstances(buildBvh(boxes), numbers);
     EXPECT_EQ(both.layout.stackBound(), largeBound + upper.stackBound());
     both.layout.clear();
     EXPECT_EQ(both.layout.stackBound(), 0);
