@@ -123,7 +123,7 @@ PackedScene packMesh(const KnotMesh& mesh) {
     Scene scene;
     scene.shapes.emplace_back().name = "shape";
     scene.nodes.emplace_back().shape.name = "shape";
-    Assets assets{{asset}, {nullptr}, {}};
+    Assets assets{{asset}, {nullptr}, {}, {}};
     Diagnostics diagnostics;
     PackedScene packed = packScene(scene, assets, diagnostics);
     diagnostics.throwIfErrors();
@@ -137,7 +137,7 @@ PackedScene packField(const std::string& file) {
     Scene scene;
     scene.shapes.emplace_back().name = "shape";
     scene.nodes.emplace_back().shape.name = "shape";
-    Assets assets{{nullptr}, {std::make_shared<Snippet>(std::move(*snippet))}, {}};
+    Assets assets{{nullptr}, {std::make_shared<Snippet>(std::move(*snippet))}, {}, {}};
     PackedScene packed = packScene(scene, assets, diagnostics);
     diagnostics.throwIfErrors();
     return packed;
