@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-./vitrine render scenes/lesson-both.toml -o docs/lesson-both.png -r 960x540 --spp 128
+./vitrine render scenes/lesson-both.toml -o docs/lesson-both.png -r 960x540 --spp 64
 sheet=()
 for view in normal instance barycentric steps shadow reflection; do
     ./vitrine render scenes/lesson-both.toml -o "$work/$view.png" -r 400x240 --spp 8 --view $view

@@ -44,6 +44,8 @@ nlohmann::ordered_json describe(const LoadedScene& loaded, Renderer& renderer,
     json["triangles"] = loaded.packed.triangleCount;
     json["instances"] = loaded.packed.instances.size();
     json["rays"] = {{"primary", s.primaryRays}, {"shadow", s.shadowRays}, {"bounce", s.bounceRays}};
+    json["primary_found_by"] =
+        picture.primary == Primary::kRaster && renderer.gpu().clipControl ? "raster" : "trace";
     json["nodes_visited"] = s.nodes;
     json["field_evaluations"] = s.steps;
     json["largest_loop_count"] = s.largestLoopCount;
