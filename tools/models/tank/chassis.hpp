@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The lower hull with all that drives and carries the tank.
+#pragma once
+
+#include "models/tank/assembly.hpp"
+
+namespace vitrine::tank {
+
+/// As it is after `drive` metres straight ahead: wheels and tracks have moved, the origin has not.
+Assembly makeChassis(double drive);
+
+}  // namespace vitrine::tank
