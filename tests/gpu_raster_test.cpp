@@ -40,8 +40,8 @@ LoadedScene lesson(const std::string& name, const std::vector<std::string>& over
 
 }  // namespace
 
-TEST_F(RasterTest, LessonsLookTheSame) {
-    for (const char* name : {"lesson-trace", "lesson-both", "lesson-march"})
+TEST_F(RasterTest, ScenesLookTheSame) {
+    for (const char* name : {"lesson-trace", "lesson-both", "lesson-march", "tank"})
         for (const char* ssaa : {"render.ssaa=1", "render.ssaa=2"}) {
             const LoadedScene loaded = lesson(name, {ssaa});
             EXPECT_LT(differing(loaded, loaded), kMostPixels) << name << ' ' << ssaa;
