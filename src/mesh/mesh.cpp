@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/vertex_arrays.hpp"
+
 namespace vitrine {
 namespace {
 
@@ -66,14 +68,10 @@ void removeUnusedVertices(Mesh& mesh) {
     for (size_t i = 0; i < newIndex.size(); ++i) {
         if (newIndex[i] == kUnused) continue;
         newIndex[i] = used;
-        mesh.positions[used] = mesh.positions[i];
-        mesh.normals[used] = mesh.normals[i];
-        mesh.uvs[used] = mesh.uvs[i];
+        forEachVertexArray(mesh, [&](auto& array) { array[used] = array[i]; });
         ++used;
     }
-    mesh.positions.resize(used);
-    mesh.normals.resize(used);
-    mesh.uvs.resize(used);
+    forEachVertexArray(mesh, [&](auto& array) { array.resize(used); });
     for (glm::uvec3& v : mesh.triangles) v = {newIndex[v.x], newIndex[v.y], newIndex[v.z]};
 }
 
@@ -84,6 +82,43 @@ glm::vec3 unitOrZero(const glm::vec3& n) {
     const glm::dvec3 wide(n);
     const double length = glm::length(wide);
     return length > 0.0 ? glm::vec3(wide / length) : glm::vec3(0.0f);
+}
+
+template <typename Vector>
+bool isFiniteVector(const Vector& v) {
+    for (int i = 0; i < v.length(); ++i)
+        if (!std::isfinite(v[i])) return false;
+    return true;
+}
+
+void replaceNonFinite(auto& array, const auto& replacement) {
+    for (auto& value : array)
+        if (!isFiniteVector(value)) value = replacement;
+}
+
+/// One entry a position, everywhere. What is added counts as missing.
+void resizeArrays(Mesh& mesh) {
+    const size_t count = mesh.positions.size();
+    mesh.normals.resize(count, glm::vec3(0.0f));
+    mesh.uvs.resize(count, glm::vec2(0.0f));
+    if (!mesh.uvs2.empty()) mesh.uvs2.resize(count, glm::vec2(0.0f));
+    if (!mesh.colors.empty()) mesh.colors.resize(count, glm::vec4(1.0f));
+    if (!mesh.tangents.empty()) mesh.tangents.resize(count, glm::vec4(0.0f));
+}
+
+/// Any unit vector across `n`, for a surface whose texture has no direction.
+glm::vec3 perpendicular(const glm::vec3& n) {
+    const glm::vec3 axis = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    return glm::normalize(glm::cross(n, axis));
+}
+
+/// Needs the final normals.
+void repairTangents(Mesh& mesh) {
+    for (size_t i = 0; i < mesh.tangents.size(); ++i) {
+        glm::vec3 direction = unitOrZero(glm::vec3(mesh.tangents[i]));
+        if (direction == glm::vec3(0.0f)) direction = perpendicular(mesh.normals[i]);
+        mesh.tangents[i] = glm::vec4(direction, mesh.tangents[i].w < 0.0f ? -1.0f : 1.0f);
+    }
 }
 
 std::string counted(size_t count, const char* what) {
@@ -109,8 +144,7 @@ bool isDegenerate(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
 void sanitizeMesh(Mesh& mesh, const SourceLocation& where, Diagnostics& diagnostics,
                   Smoothing smoothing) {
     if (mesh.partNames.empty()) mesh.partNames.emplace_back("default");
-    mesh.normals.resize(mesh.positions.size(), glm::vec3(0.0f));
-    mesh.uvs.resize(mesh.positions.size(), glm::vec2(0.0f));
+    resizeArrays(mesh);
     mesh.triangleParts.resize(mesh.triangles.size(), 0);
     if (!smoothing.groups.empty())
         smoothing.groups.resize(mesh.triangles.size(), Smoothing::kByAngle);
@@ -130,9 +164,11 @@ void sanitizeMesh(Mesh& mesh, const SourceLocation& where, Diagnostics& diagnost
 
     removeUnusedVertices(mesh);
     for (glm::vec3& n : mesh.normals) n = unitOrZero(n);
-    for (glm::vec2& uv : mesh.uvs)
-        if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) uv = glm::vec2(0.0f);
+    replaceNonFinite(mesh.uvs, glm::vec2(0.0f));
+    replaceNonFinite(mesh.uvs2, glm::vec2(0.0f));
+    replaceNonFinite(mesh.colors, glm::vec4(1.0f));
     fillMissingNormals(mesh, smoothing);
+    repairTangents(mesh);
 }
 
 }  // namespace vitrine

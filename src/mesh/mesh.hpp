@@ -14,12 +14,16 @@
 
 namespace vitrine {
 
-/// Triangles wind counter-clockwise seen from outside.
+/// Triangles wind counter-clockwise seen from outside. Where v grows is the bitangent,
+/// cross(normal, tangent.xyz) * tangent.w.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;       ///< unit, one a position
-    std::vector<glm::vec2> uvs;           ///< one a position; (0,0) is the lower left of a picture
+    std::vector<glm::vec3> normals;   ///< unit, one a position
+    std::vector<glm::vec2> uvs;       ///< one a position; (0,0) is the lower left of a picture
+    std::vector<glm::vec2> uvs2;      ///< a second set; none, or one a position
+    std::vector<glm::vec4> colors;    ///< linear RGBA; none, or one a position
+    std::vector<glm::vec4> tangents;  ///< where u grows, unit, and a sign; none, or one a position
     std::vector<glm::uvec3> triangles;    ///< indices of positions
     std::vector<uint32_t> triangleParts;  ///< one a triangle, index into partNames
     std::vector<std::string> partNames;   ///< at least one; a scene gives materials to parts
@@ -41,6 +45,8 @@ bool isDegenerate(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 ///   warning each;
 /// - arrays that are too short are filled up: normals are generated after `smoothing` where they
 ///   are zero, non-finite or missing, and are made unit length elsewhere; uvs become zero;
+/// - optional arrays stay empty, or else are filled up too: the second uvs become zero, colours
+///   white, tangents any direction along the surface;
 /// - vertices that no triangle uses are removed;
 /// - a mesh without any triangle left is an error.
 /// All diagnostics are placed at `where`.

@@ -30,6 +30,14 @@ void expectSafe(const Mesh& mesh) {
     ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
     ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
     ASSERT_EQ(mesh.triangleParts.size(), mesh.triangles.size());
+    for (const size_t optional : {mesh.uvs2.size(), mesh.colors.size(), mesh.tangents.size()})
+        ASSERT_TRUE(optional == 0 || optional == mesh.positions.size());
+    for (const glm::vec4& t : mesh.tangents) {
+        ASSERT_NEAR(glm::length(glm::vec3(t)), 1.0f, 1e-5f);
+        ASSERT_EQ(std::abs(t.w), 1.0f);
+    }
+    for (const glm::vec4& c : mesh.colors) ASSERT_TRUE(isFinite(c) && std::isfinite(c.w));
+    for (const glm::vec2& uv : mesh.uvs2) ASSERT_TRUE(std::isfinite(uv.x) && std::isfinite(uv.y));
     for (size_t i = 0; i < mesh.positions.size(); ++i) {
         ASSERT_TRUE(isFinite(mesh.positions[i]));
         ASSERT_NEAR(glm::length(mesh.normals[i]), 1.0f, 1e-5f);
@@ -115,6 +123,46 @@ TEST(Mesh, NoTrianglesIsAnError) {
     EXPECT_EQ(sanitized(mesh), "m.glb: error: the mesh has no triangles");
 }
 
+TEST(Mesh, OptionalArraysMoveWithTheirVertices) {
+    // Vertex 0 is unused; at vertex 2 a flat and an upright triangle meet in a sharp edge.
+    Mesh mesh =
+        meshOf({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{1, 2, 3}, {1, 4, 2}});
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        const auto tag = static_cast<float>(i);
+        mesh.uvs.emplace_back(tag, 0);
+        mesh.uvs2.emplace_back(tag, 1);
+        mesh.colors.emplace_back(tag, 0, 0, 1);
+        mesh.tangents.emplace_back(i == 2 ? kNan : tag, 0, tag, i == 2 ? -0.5f : 2.0f);
+    }
+    EXPECT_EQ(sanitized(mesh), "");
+    expectSafe(mesh);
+    EXPECT_EQ(mesh.positions.size(), 6u) << "four used, two of them split";
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        const float tag = mesh.uvs[i].x;
+        EXPECT_EQ(mesh.uvs2[i], glm::vec2(tag, 1));
+        EXPECT_EQ(mesh.colors[i], glm::vec4(tag, 0, 0, 1));
+        EXPECT_EQ(mesh.tangents[i].w, tag == 2 ? -1 : 1);
+        if (tag == 2)
+            EXPECT_NEAR(glm::dot(glm::vec3(mesh.tangents[i]), mesh.normals[i]), 0.0f, 1e-6f);
+        else
+            EXPECT_NEAR(mesh.tangents[i].x, std::sqrt(0.5f), 1e-6f);
+    }
+}
+
+TEST(Mesh, OptionalArraysAreFilledUpOrStayEmpty) {
+    Mesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    EXPECT_EQ(sanitized(mesh), "");
+    EXPECT_TRUE(mesh.uvs2.empty() && mesh.colors.empty() && mesh.tangents.empty());
+    mesh.uvs2 = {{1, kInf}, {3, 4}};
+    mesh.colors = {{0.5f, 0.5f, 0.5f, kNan}, {0, 1, 0, 1}};
+    mesh.tangents = {{2, 0, 0, 1}};
+    EXPECT_EQ(sanitized(mesh), "");
+    expectSafe(mesh);
+    EXPECT_EQ(mesh.uvs2, (std::vector<glm::vec2>{{0, 0}, {3, 4}, {0, 0}}));
+    EXPECT_EQ(mesh.colors, (std::vector<glm::vec4>{glm::vec4(1), {0, 1, 0, 1}, glm::vec4(1)}));
+    EXPECT_EQ(mesh.tangents[0], glm::vec4(1, 0, 0, 1));
+}
+
 TEST(Mesh, AnyMeshIsSafeAfterwards) {
     for (uint32_t seed = 0; seed < 300; ++seed) {
         SCOPED_TRACE(seed);
@@ -127,6 +175,11 @@ TEST(Mesh, AnyMeshIsSafeAfterwards) {
         Mesh mesh;
         for (int i = 0; i < 24; ++i) mesh.positions.emplace_back(any(), any(), any());
         for (int i = 0; i < 20; ++i) mesh.normals.emplace_back(any(), any(), any());
+        for (uint32_t i = 0; i < seed % 30; ++i) {
+            mesh.uvs2.emplace_back(any(), any());
+            mesh.colors.emplace_back(any(), any(), any(), any());
+            mesh.tangents.emplace_back(any(), any(), any(), any());
+        }
         for (int i = 0; i < 200; ++i)
             mesh.triangles.emplace_back(random() % 25, random() % 25, random() % 25);
         sanitized(mesh);

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/mesh.hpp"
+#include "mesh/vertex_arrays.hpp"
 
 namespace vitrine {
 namespace {
@@ -185,9 +185,10 @@ class NormalFiller {
     }
 
     uint32_t copyVertex(uint32_t vertex) {
-        mesh_.positions.push_back(glm::vec3(mesh_.positions[vertex]));
-        mesh_.normals.push_back(glm::vec3(0.0f));
-        mesh_.uvs.push_back(glm::vec2(mesh_.uvs[vertex]));
+        forEachVertexArray(mesh_, [vertex](auto& array) {
+            const auto value = array[vertex];  // a reference would dangle when the array grows
+            array.push_back(value);
+        });
         return static_cast<uint32_t>(mesh_.positions.size() - 1);
     }
 
