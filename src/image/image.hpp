@@ -15,6 +15,13 @@ namespace vitrine {
 /// RGBA8.
 inline constexpr int kMaxImageSide = 16384;
 
+struct ImageSize {
+    int width = 0;
+    int height = 0;
+    [[nodiscard]] uint64_t pixelCount() const { return static_cast<uint64_t>(width) * height; }
+    bool operator==(const ImageSize&) const = default;
+};
+
 template <typename T, int channels>
 struct Image {
     static constexpr int kChannels = channels;

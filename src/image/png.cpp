@@ -142,6 +142,42 @@ void checkSize(uint32_t width, uint32_t height, size_t bytesPerRow, size_t fileB
                                      std::to_string(fileBytes) + " bytes (at byte 16)");
 }
 
+class Decoder {
+  public:
+    Decoder(std::span<const uint8_t> bytes, const std::string& file) : source_{bytes}, file_(file) {
+        if (bytes.empty()) throw InputError({file}, "PNG: the file is empty");
+        if (png_sig_cmp(bytes.data(), 0, std::min(bytes.size(), kSignatureBytes)) != 0)
+            throw InputError({file}, "not a PNG: the signature is wrong (at byte 0)");
+    }
+
+    ImageSize readHeaderOfFile() {
+        require(guarded(reader_.png, [this] { readHeader(reader_, source_); }));
+        const uint32_t width = png_get_image_width(reader_.png, reader_.info);
+        const uint32_t height = png_get_image_height(reader_.png, reader_.info);
+        checkSize(width, height, png_get_rowbytes(reader_.png, reader_.info), source_.bytes.size(),
+                  file_);
+        return {static_cast<int>(width), static_cast<int>(height)};
+    }
+
+    void readImage(ImageRgba8& image) {
+        require(guarded(reader_.png, [&] {
+            convertToRgba8(reader_);
+            readPixels(reader_, image.pixels.data(), static_cast<uint32_t>(image.height));
+        }));
+    }
+
+  private:
+    void require(bool good) const {
+        if (!good)
+            throw InputError({file_}, std::string("PNG: ") + reader_.message.text + " (at byte " +
+                                          std::to_string(source_.offset) + ")");
+    }
+
+    Source source_;
+    const std::string& file_;
+    Reader reader_;
+};
+
 bool isOpaque(const ImageRgba8& image) {
     for (size_t i = 3; i < image.pixels.size(); i += 4)
         if (image.pixels[i] != 255) return false;
@@ -193,28 +229,15 @@ std::vector<uint8_t> encodePng(const ImageRgba8& image, const PngText& text) {
 }
 
 ImageRgba8 decodePng(std::span<const uint8_t> bytes, const std::string& file) {
-    if (bytes.empty()) throw InputError({file}, "PNG: the file is empty");
-    if (png_sig_cmp(bytes.data(), 0, std::min(bytes.size(), kSignatureBytes)) != 0)
-        throw InputError({file}, "not a PNG: the signature is wrong (at byte 0)");
-
-    Source source{bytes};
-    Reader reader;
-    const auto require = [&](bool good) {
-        if (!good)
-            throw InputError({file}, std::string("PNG: ") + reader.message.text + " (at byte " +
-                                         std::to_string(source.offset) + ")");
-    };
-    require(guarded(reader.png, [&] { readHeader(reader, source); }));
-    const uint32_t width = png_get_image_width(reader.png, reader.info);
-    const uint32_t height = png_get_image_height(reader.png, reader.info);
-    checkSize(width, height, png_get_rowbytes(reader.png, reader.info), bytes.size(), file);
-
-    ImageRgba8 image(static_cast<int>(width), static_cast<int>(height));
-    require(guarded(reader.png, [&] {
-        convertToRgba8(reader);
-        readPixels(reader, image.pixels.data(), height);
-    }));
+    Decoder decoder(bytes, file);
+    const ImageSize size = decoder.readHeaderOfFile();
+    ImageRgba8 image(size.width, size.height);
+    decoder.readImage(image);
     return image;
+}
+
+ImageSize pngSize(std::span<const uint8_t> bytes, const std::string& file) {
+    return Decoder(bytes, file).readHeaderOfFile();
 }
 
 }  // namespace vitrine

@@ -28,4 +28,7 @@ std::vector<uint8_t> encodePng(const ImageRgba8& image, const PngText& text = {}
 /// its bytes can hold. Both sizes are looked at before any memory is asked for.
 ImageRgba8 decodePng(std::span<const uint8_t> bytes, const std::string& file);
 
+/// What the header says, under the same checks, without decoding.
+ImageSize pngSize(std::span<const uint8_t> bytes, const std::string& file);
+
 }  // namespace vitrine
