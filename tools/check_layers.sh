@@ -16,6 +16,7 @@ declare -A may=(
     [base]="shared"
     [image]="base"
     [mesh]="base"
+    [gltf]="base image mesh"
     [scene]="base image"
     [bvh]="base"
     [sdf]="base"
