@@ -10,7 +10,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "bvh/build.hpp"
-#include "image/png.hpp"
+#include "image/decode.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/primitives.hpp"
 
@@ -76,7 +76,7 @@ class AssetReader {
         std::shared_ptr<const ImageRgba8> asset;
         if (const auto bytes = read(texture.file, kMaxPictureBytes)) {
             try {
-                asset = std::make_shared<ImageRgba8>(decodePng(
+                asset = std::make_shared<ImageRgba8>(decodeImage(
                     {reinterpret_cast<const uint8_t*>(bytes->data()), bytes->size()}, path_));
             } catch (const InputError& e) {
                 diagnostics_.append(e.diagnostics());

@@ -99,7 +99,7 @@ const OptionTable<Material>& materialOptions() {
         {"emission", &M::emission, kNotNegative, "light given off, radiance"},
         {"emission_strength", &M::emissionStrength, kNotNegative, "factor on emission"},
         {"base_color_texture", TextureMember<M>{&M::baseColorTexture}, kNone,
-         "picture (.png), times base_color"},
+         "picture (PNG or JPEG), times base_color"},
         {"metallic_roughness_texture", TextureMember<M>{&M::metallicRoughnessTexture}, kNone,
          "picture whose channels multiply roughness and metallic"},
         {"roughness_from", choice<M>(channelNames(), &M::roughnessFrom), kNone,
