@@ -11,8 +11,8 @@
 // after 65,535, counted over eight pixels in lockstep, whence the half.
 #define VITRINE_LOOP_BUDGET 32768
 
-// A slot of the acceleration structure is three RGBA32UI texels: a node, a triangle, or half an
-// instance (pack/bvh_layout.hpp owns the format, trace/bvh.glsl reads it).
+// A slot of the acceleration structure is three RGBA32UI texels: a node, a triangle, or the number of
+// an instance (pack/bvh_layout.hpp owns the format, trace/node.glsl reads it).
 #define VITRINE_SLOT_TEXELS 3
 #define VITRINE_LEAF_BIT 0x80000000u
 #define VITRINE_LAST_TRIANGLE_BIT 0x80000000u
