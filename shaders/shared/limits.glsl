@@ -21,9 +21,9 @@
 #define VITRINE_KIND_MESH 0
 #define VITRINE_KIND_FIELD 1
 #define VITRINE_INSTANCE_TEXELS 9
-#define VITRINE_MATERIAL_TEXELS 4
+#define VITRINE_MATERIAL_TEXELS 8
 #define VITRINE_TEXTURE_SLOT_TEXELS 3
-#define VITRINE_LIGHT_TEXELS 2
+#define VITRINE_LIGHT_TEXELS 4
 #define VITRINE_VERTEX_TEXELS 2
 
 // What a texture slot of a material is for.
@@ -32,10 +32,27 @@
 #define VITRINE_SLOT_NORMAL 2
 #define VITRINE_SLOT_OCCLUSION 3
 #define VITRINE_SLOT_EMISSION 4
+#define VITRINE_SLOT_TRANSMISSION 5
+#define VITRINE_SLOT_SPECULAR 6
+#define VITRINE_SLOT_SPECULAR_COLOR 7
+#define VITRINE_SLOT_CLEARCOAT 8
+#define VITRINE_SLOT_CLEARCOAT_ROUGHNESS 9
+#define VITRINE_SLOT_CLEARCOAT_NORMAL 10
+#define VITRINE_SLOT_SHEEN_COLOR 11
+#define VITRINE_SLOT_SHEEN_ROUGHNESS 12
+#define VITRINE_SLOT_COUNT 13
 
 // Light types, in the order of LightType (scene/scene.hpp).
 #define VITRINE_LIGHT_SUN 0
 #define VITRINE_LIGHT_POINT 1
+#define VITRINE_LIGHT_SPOT 2
+
+// Alpha modes, in the order of AlphaMode, and the other flags of a material.
+#define VITRINE_ALPHA_MASK 1
+#define VITRINE_ALPHA_BLEND 2
+#define VITRINE_MATERIAL_SINGLE_SIDED 4
+#define VITRINE_MATERIAL_UNLIT 8
+#define VITRINE_MATERIAL_THIN 16
 
 // Values of the instance word of a hit record that name no instance.
 #define VITRINE_RECORD_NONE 0xffffffffu

@@ -122,9 +122,12 @@ class AssetReader {
 
 }  // namespace
 
-std::array<const MaterialTexture*, 5> materialTextures(const Material& m) {
-    return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture,
-            &m.emissionTexture};
+std::array<const MaterialTexture*, VITRINE_SLOT_COUNT> materialTextures(const Material& m) {
+    return {&m.baseColorTexture,          &m.metallicRoughnessTexture, &m.normalTexture,
+            &m.occlusionTexture,          &m.emissionTexture,          &m.transmissionTexture,
+            &m.specularTexture,           &m.specularColorTexture,     &m.clearcoatTexture,
+            &m.clearcoatRoughnessTexture, &m.clearcoatNormalTexture,   &m.sheenColorTexture,
+            &m.sheenRoughnessTexture};
 }
 
 Assets loadAssets(const Scene& scene, Diagnostics& diagnostics) {

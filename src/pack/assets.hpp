@@ -10,6 +10,7 @@
 #include "mesh/mesh.hpp"
 #include "scene/scene.hpp"
 #include "sdf/snippet.hpp"
+#include "shared/limits.glsl"
 
 namespace vitrine {
 
@@ -30,7 +31,7 @@ struct Assets {
 };
 
 /// The textures of a material in the order of VITRINE_SLOT_*.
-std::array<const MaterialTexture*, 5> materialTextures(const Material& material);
+std::array<const MaterialTexture*, VITRINE_SLOT_COUNT> materialTextures(const Material& material);
 
 /// Reads everything the scene names. Files must lie in the scene's folder or below.
 Assets loadAssets(const Scene& scene, Diagnostics& diagnostics);

@@ -115,17 +115,38 @@ class Packer {
         out_.materialNames.push_back(m.name);
         materials_.emplace_back(m.baseColor.rgb, m.metallic);
         materials_.emplace_back(m.emission.rgb * m.emissionStrength, m.roughness);
-        materials_.push_back(texel(snippet, parameters));
+        materials_.push_back(texel(snippet, parameters, flagsOf(m)));
         materials_.push_back(texel(slots.first, slots.count));
+        materials_.back().z = m.opacity;
+        materials_.back().w = m.alphaCutoff;
+        materials_.emplace_back(m.specularColor.rgb, m.ior);
+        materials_.emplace_back(absorptionOf(m), m.transmission);
+        materials_.emplace_back(m.clearcoat, m.clearcoatRoughness, m.specular, 0.0f);
+        materials_.emplace_back(m.sheenColor.rgb, m.sheenRoughness);
+    }
+
+    static int flagsOf(const Material& m) {
+        int flags = static_cast<int>(m.alphaMode);
+        if (!m.doubleSided) flags |= VITRINE_MATERIAL_SINGLE_SIDED;
+        if (m.unlit) flags |= VITRINE_MATERIAL_UNLIT;
+        if (m.thin) flags |= VITRINE_MATERIAL_THIN;
+        return flags;
+    }
+
+    /// Per metre (Beer's law).
+    static glm::vec3 absorptionOf(const Material& m) {
+        if (m.attenuationDistance <= 0) return glm::vec3(0);
+        return -glm::log(glm::max(m.attenuationColor.rgb, glm::vec3(1e-6f))) /
+               m.attenuationDistance;
     }
 
     void packLights() {
         for (const Light& light : scene_.lights) {
-            const bool sun = light.type == LightType::kSun;
-            const glm::vec3 place = sun ? glm::normalize(light.direction) : light.at;
-            lights_.emplace_back(place,
-                                 static_cast<float>(sun ? VITRINE_LIGHT_SUN : VITRINE_LIGHT_POINT));
-            lights_.emplace_back(light.color.rgb * light.intensity, 0.0f);
+            lights_.emplace_back(light.at, static_cast<float>(light.type));
+            lights_.emplace_back(light.color.rgb * light.intensity, light.range);
+            lights_.emplace_back(glm::normalize(light.direction), 0.0f);
+            lights_.emplace_back(std::cos(glm::radians(light.innerAngle)),
+                                 std::cos(glm::radians(light.outerAngle)), 0.0f, 0.0f);
         }
     }
 

@@ -9,9 +9,14 @@
 namespace vitrine {
 namespace {
 
-constexpr std::array<TextureUse, 5> kUses{TextureUse::kColor, TextureUse::kData, TextureUse::kData,
-                                          TextureUse::kData, TextureUse::kColor};
-static_assert(VITRINE_SLOT_BASE_COLOR == 0 && VITRINE_SLOT_EMISSION == 4);
+constexpr auto kUses = [] {
+    std::array<TextureUse, VITRINE_SLOT_COUNT> uses{};
+    uses.fill(TextureUse::kData);
+    for (const int slot : {VITRINE_SLOT_BASE_COLOR, VITRINE_SLOT_EMISSION,
+                           VITRINE_SLOT_SPECULAR_COLOR, VITRINE_SLOT_SHEEN_COLOR})
+        uses[static_cast<size_t>(slot)] = TextureUse::kColor;
+    return uses;
+}();
 
 /// Pictures to be packed, each once for every way it is wrapped.
 class RequestList {
@@ -49,6 +54,7 @@ std::vector<int> appendEntries(const TextureAtlas& atlas, std::vector<glm::vec4>
 
 float strengthOf(const Material& m, int slot) {
     if (slot == VITRINE_SLOT_NORMAL) return m.normalScale;
+    if (slot == VITRINE_SLOT_CLEARCOAT_NORMAL) return m.clearcoatNormalScale;
     if (slot == VITRINE_SLOT_OCCLUSION) return m.occlusionStrength;
     return 1;
 }

@@ -157,7 +157,10 @@ TEST(Options, EveryRowOfListedSectionsReachesItsMember) {
     checkTable<Light>(lightOptions(), {"[[light]]\n",
                                        "",
                                        [](const Scene& s) { return s.lights.at(0); },
-                                       {{"at", "type = \"point\"\n"}}});
+                                       {{"at", "type = \"point\"\n"},
+                                        {"range", "type = \"point\"\n"},
+                                        {"inner_angle", "type = \"spot\"\nouter_angle = 90\n"},
+                                        {"outer_angle", "type = \"spot\"\n"}}});
     checkTable<Node>(nodeOptions(), {"[[node]]\n",
                                      "",
                                      [](const Scene& s) { return s.nodes.at(1); },

@@ -148,12 +148,21 @@ class SceneParser {
         readTable(table, "[[light]]", lightOptions(), {}, light, diagnostics_);
         if (glm::length(light.direction) < 1e-6f)
             diagnostics_.error(placeOf(*table.get("direction")), "direction has no length");
-        const bool sun = light.type == LightType::kSun;
-        if (const toml::node* unused = table.get(sun ? "at" : "direction"))
-            diagnostics_.error(placeOf(*unused),
-                               fmt::format("a {} light has no {}", sun ? "sun" : "point",
-                                           sun ? "position" : "direction"));
+        if (light.type == LightType::kSpot && light.innerAngle > light.outerAngle)
+            diagnostics_.error(light.where, "inner_angle is larger than outer_angle");
+        if (light.type == LightType::kSun) refuse(table, "at", "a sun light has no position");
+        if (light.type == LightType::kPoint)
+            refuse(table, "direction", "a point light has no direction");
+        if (light.type == LightType::kSun) refuse(table, "range", "a sun light has no range");
+        if (light.type != LightType::kSpot)
+            for (const char* key : {"inner_angle", "outer_angle"})
+                refuse(table, key, "only a spot light has a cone");
         scene_.lights.push_back(light);
+    }
+
+    void refuse(const toml::table& table, const char* key, const char* message) {
+        if (const toml::node* unused = table.get(key))
+            diagnostics_.error(placeOf(*unused), message);
     }
 
     void material(const std::string& name, const toml::table& table) {

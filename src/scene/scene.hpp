@@ -72,15 +72,18 @@ struct Environment {
     float intensity = 1;
 };
 
-enum class LightType { kSun, kPoint };
+enum class LightType { kSun, kPoint, kSpot };
 
 struct Light {
     std::string name;
     LightType type = LightType::kSun;
-    glm::vec3 at{0, 4, 0};            ///< point
-    glm::vec3 direction{-1, -2, -1};  ///< sun: the way the light travels
+    glm::vec3 at{0, 4, 0};            ///< point, spot
+    glm::vec3 direction{-1, -2, -1};  ///< sun, spot: the way the light travels
     Color color{{1, 1, 1}};
-    float intensity = 3;  ///< sun: irradiance, W/m2; point: radiant intensity, W/sr
+    float intensity = 3;   ///< sun: irradiance, W/m2; point, spot: radiant intensity, W/sr
+    float innerAngle = 0;  ///< spot: full light within, degrees from the axis
+    float outerAngle = 45;
+    float range = 0;  ///< point, spot: nothing is lit beyond, m; 0: no end
     SourceLocation where;
 };
 
@@ -98,9 +101,14 @@ struct MaterialTexture {
     [[nodiscard]] bool given() const { return !file.empty() || image != nullptr; }
 };
 
+/// What a surface with opacity below 1 does: nothing, let rays pass below a cutoff, or let part of
+/// them pass.
+enum class AlphaMode { kOpaque, kMask, kBlend };
+
 /// One channel of a picture, as it is or reversed (a glossiness is a reversed roughness).
 enum class Channel { kRed, kGreen, kBlue, kAlpha, kNotRed, kNotGreen, kNotBlue, kNotAlpha };
 
+/// glTF 2.0 metallic-roughness with the KHR_materials extensions of the same names.
 struct Material {
     std::string name;
     Color baseColor{{0.8f, 0.8f, 0.8f}};
@@ -112,6 +120,35 @@ struct Material {
         emissionTexture;
     Channel roughnessFrom = Channel::kGreen, metallicFrom = Channel::kBlue;
     float normalScale = 1, occlusionStrength = 1;
+
+    float opacity = 1;  ///< times the alpha of the base colour's texture
+    AlphaMode alphaMode = AlphaMode::kOpaque;
+    float alphaCutoff = 0.5f;
+    bool doubleSided = true;
+    bool unlit = false;  ///< shows its base colour whatever the light is
+
+    float ior = 1.5f;                 ///< index of refraction
+    float specular = 1;               ///< of dielectrics
+    Color specularColor{{1, 1, 1}};   ///< of their reflection at normal incidence
+    MaterialTexture specularTexture;  ///< alpha
+    MaterialTexture specularColorTexture;
+
+    float transmission = 0;  ///< share of the light, not reflected, that goes on inside
+    MaterialTexture transmissionTexture;  ///< red
+    bool thin = false;                    ///< a sheet: light passes without refraction
+    Color attenuationColor{{1, 1, 1}};    ///< left of white light after attenuationDistance
+    float attenuationDistance = 0;        ///< m; 0: nothing is absorbed
+
+    float clearcoat = 0, clearcoatRoughness = 0, clearcoatNormalScale = 1;
+    MaterialTexture clearcoatTexture;           ///< red
+    MaterialTexture clearcoatRoughnessTexture;  ///< green
+    MaterialTexture clearcoatNormalTexture;
+
+    Color sheenColor{{0, 0, 0}};
+    float sheenRoughness = 0;
+    MaterialTexture sheenColorTexture;
+    MaterialTexture sheenRoughnessTexture;  ///< alpha
+
     Reference snippet;  ///< a .mat.glsl file
     std::vector<ParameterValue> set;
     SourceLocation where;
