@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The recursion of the builders that never cut an item: what divides a range is their own matter.
 // Two buffers of references take turns: dividing a range reads one and writes the other.
 //
 // Determinism. What happens to a range depends on its references alone. Large ranges are worked on
@@ -20,16 +21,19 @@
 #include <mutex>
 
 #include "bvh/divide.hpp"
+#include "bvh/nine.hpp"
+#include "bvh/spatial.hpp"
 
 namespace vitrine {
 namespace {
 
 constexpr uint32_t kTaskSize = 2048;  ///< subtrees from this size on are tasks of their own
 
+template <class Divide>
 class Builder {
   public:
     Builder(uint32_t count, const BuildOptions& options)
-        : divide_(options, std::max(options.maxDepth, int(std::bit_width(count - 1)))),
+        : divide_({options, std::max(options.maxDepth, int(std::bit_width(count - 1)))}),
           references_(std::make_unique_for_overwrite<Reference[]>(2 * size_t(count))),
           slots_(std::make_unique_for_overwrite<BvhNode[]>(2 * size_t(count))),
           count_(count) {
@@ -134,7 +138,7 @@ class Builder {
         return nodes;
     }
 
-    Divider divide_;
+    Divide divide_;
     std::unique_ptr<Reference[]> references_;  ///< both buffers, one after the other
     std::unique_ptr<BvhNode[]> slots_;
     uint32_t count_;
@@ -145,6 +149,7 @@ class Builder {
 
 void checkOptions(const BuildOptions& options) {
     assert(options.maxLeafSize >= 1);
+    assert(options.maxDuplicates >= 0 && options.minOverlap >= 0);
     assert(options.bins >= 2 && options.bins <= kMaxBins);
     assert(options.maxDepth >= 0 && options.maxDepth <= 63);
     (void)options;
@@ -156,12 +161,20 @@ Reference checkedReference(const glm::vec3& min, const glm::vec3& max, uint32_t 
     return Reference::of(min, max, item);
 }
 
+template <typename F>
+Bvh buildUncut(size_t count, const BuildOptions& options, const F& referenceOf) {
+    if (options.method == BuildMethod::kNine)
+        return Builder<NineDivider>(uint32_t(count), options).build(referenceOf);
+    return Builder<Divider>(uint32_t(count), options).build(referenceOf);
+}
+
 }  // namespace
 
 Bvh buildBvh(std::span<const Aabb> boxes, const BuildOptions& options) {
     checkOptions(options);
+    assert(options.method != BuildMethod::kSpatial);
     if (boxes.empty()) return {};
-    return Builder(uint32_t(boxes.size()), options).build([boxes](uint32_t i) {
+    return buildUncut(boxes.size(), options, [boxes](uint32_t i) {
         return checkedReference(boxes[i].min, boxes[i].max, i);
     });
 }
@@ -170,13 +183,18 @@ Bvh buildTriangleBvh(std::span<const glm::vec3> positions, std::span<const glm::
                      const BuildOptions& options) {
     checkOptions(options);
     if (triangles.empty()) return {};
-    return Builder(uint32_t(triangles.size()), options).build([&](uint32_t i) {
+    const auto referenceOf = [&](uint32_t i) {
         assert(glm::all(glm::lessThan(triangles[i], glm::uvec3(uint32_t(positions.size())))));
         const glm::vec3& a = positions[triangles[i].x];
         const glm::vec3& b = positions[triangles[i].y];
         const glm::vec3& c = positions[triangles[i].z];
         return checkedReference(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), i);
-    });
+    };
+    if (options.method != BuildMethod::kSpatial)
+        return buildUncut(triangles.size(), options, referenceOf);
+    std::vector<Reference> references(triangles.size());
+    for (uint32_t i = 0; i < triangles.size(); ++i) references[i] = referenceOf(i);
+    return buildSpatial(positions, triangles, std::move(references), options);
 }
 
 }  // namespace vitrine

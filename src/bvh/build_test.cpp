@@ -6,58 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <random>
 
 #include "bvh/test_meshes.hpp"
+#include "bvh/test_trees.hpp"
 
 namespace vitrine {
 namespace {
 
+using test::expectValid;
 using test::Random;
-
-bool within(const Aabb& inner, const Aabb& outer) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (inner.min[axis] < outer.min[axis] || inner.max[axis] > outer.max[axis]) return false;
-    return true;
-}
-
-/// Everything that makes it a tree over the boxes.
-void expectValid(const Bvh& bvh, const std::vector<Aabb>& boxes) {
-    ASSERT_EQ(bvh.items.size(), boxes.size());
-    std::vector<int> itemSeen(boxes.size(), 0);
-    std::vector<int> nodeSeen(bvh.nodes.size(), 0);
-    if (!bvh.empty()) nodeSeen[0] = 1;
-    for (size_t i = 0; i < bvh.nodes.size(); ++i) {
-        const BvhNode& node = bvh.nodes[i];
-        Aabb content;
-        if (node.leaf()) {
-            ASSERT_LE(size_t(node.first) + node.count, bvh.items.size());
-            for (uint32_t k = 0; k < node.count; ++k) {
-                const uint32_t item = bvh.items[node.first + k];
-                ASSERT_LT(item, boxes.size());
-                ++itemSeen[item];
-                content.grow(boxes[item]);
-            }
-        } else {
-            ASSERT_GT(node.first, i);
-            ASSERT_LT(size_t(node.first) + 1, bvh.nodes.size());
-            for (uint32_t child : {node.first, node.first + 1}) {
-                ++nodeSeen[child];
-                content.grow(bvh.nodes[child].box());
-            }
-        }
-        EXPECT_TRUE(within(content, node.box()) && within(node.box(), content)) << "node " << i;
-    }
-    EXPECT_TRUE(std::all_of(itemSeen.begin(), itemSeen.end(), [](int n) { return n == 1; }));
-    EXPECT_TRUE(std::all_of(nodeSeen.begin(), nodeSeen.end(), [](int n) { return n == 1; }));
-}
-
-bool sameBytes(const Bvh& a, const Bvh& b) {
-    return a.nodes.size() == b.nodes.size() && a.items == b.items &&
-           std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(BvhNode)) == 0;
-}
+using test::sameBytes;
 
 /// The SAH cost, times the root's area, of the best tree by greedy full sweep: every cut along
 /// every axis is looked at. Simple and slow.

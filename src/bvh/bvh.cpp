@@ -8,6 +8,7 @@ namespace vitrine {
 BvhStatistics measure(const Bvh& bvh, float traversalCost, float intersectionCost) {
     BvhStatistics result;
     result.nodes = bvh.nodes.size();
+    result.references = bvh.items.size();
     if (bvh.empty()) return result;
 
     // Parents come before children, so one pass forward knows every depth.

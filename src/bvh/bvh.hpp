@@ -26,8 +26,10 @@ struct BvhNode {
 static_assert(sizeof(BvhNode) == 32);
 
 struct Bvh {
-    std::vector<BvhNode> nodes;   ///< nodes[0] is the root; parents come before children
-    std::vector<uint32_t> items;  ///< each index of the built boxes exactly once
+    std::vector<BvhNode> nodes;  ///< nodes[0] is the root; parents come before children
+    /// Each index of the built boxes exactly once, or at least once after spatial splits. Then the
+    /// boxes of the leaves of an item cover it together.
+    std::vector<uint32_t> items;
 
     [[nodiscard]] bool empty() const { return nodes.empty(); }
     [[nodiscard]] Aabb box() const { return empty() ? Aabb{} : nodes[0].box(); }
@@ -37,6 +39,7 @@ struct BvhStatistics {
     /// Expected cost of a random ray that hits the root box (MacDonald & Booth 1990).
     double sahCost = 0;
     size_t nodes = 0;
+    size_t references = 0;  ///< items of all leaves; more than there are items after spatial splits
     size_t leaves = 0;
     int depth = 0;  ///< edges from the root to the deepest leaf
     int maxLeaf = 0;

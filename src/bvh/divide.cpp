@@ -16,29 +16,6 @@ void finish(const Range& range, const Bins& bins, const Split& split, int binCou
     out.right = range.part(left, range.count - left, true, {rightBox, sides.rightCentres});
 }
 
-/// Half of the items on either side, by centre along the widest axis, or by number if all
-/// centres are equal.
-bool divideAtMedian(const Range& range, Children& out) {
-    const Bounds all = boundsOf(range.span());
-    const glm::vec3 extent = toVec3(all.centres.max - all.centres.min);
-    int axis = extent.y > extent.x ? 1 : 0;
-    if (extent.z > extent[axis]) axis = 2;
-    const uint32_t left = range.count / 2;
-    if (extent[axis] > 0) {
-        std::nth_element(range.references, range.references + left, range.references + range.count,
-                         [axis](const Reference& a, const Reference& b) {
-                             const float ca = toVec3(a.centre())[axis];
-                             const float cb = toVec3(b.centre())[axis];
-                             return ca != cb ? ca < cb : a.item() < b.item();
-                         });
-    }
-    const auto half = [&](uint32_t first, uint32_t size) {
-        return range.part(first, size, false, boundsOf(range.span().subspan(first, size)));
-    };
-    out = {half(0, left), half(left, range.count - left)};
-    return true;
-}
-
 }  // namespace
 
 Bounds boundsOf(std::span<const Reference> references) {
@@ -50,32 +27,43 @@ Bounds boundsOf(std::span<const Reference> references) {
     return result;
 }
 
+uint32_t orderAtMedian(std::span<Reference> references, int axis) {
+    const auto half = uint32_t(references.size() / 2);
+    std::nth_element(references.begin(), references.begin() + half, references.end(),
+                     [axis](const Reference& a, const Reference& b) {
+                         const float ca = toVec3(a.centre())[axis];
+                         const float cb = toVec3(b.centre())[axis];
+                         return ca != cb ? ca < cb : a.item() < b.item();
+                     });
+    return half;
+}
+
+bool divideAtMedian(const Range& range, Children& out) {
+    const Bounds all = boundsOf(range.span());
+    const glm::vec3 extent = toVec3(all.centres.max - all.centres.min);
+    int axis = extent.y > extent.x ? 1 : 0;
+    if (extent.z > extent[axis]) axis = 2;
+    const uint32_t left = range.count / 2;
+    if (extent[axis] > 0) orderAtMedian(range.span(), axis);
+    const auto half = [&](uint32_t first, uint32_t size) {
+        return range.part(first, size, false, boundsOf(range.span().subspan(first, size)));
+    };
+    out = {half(0, left), half(left, range.count - left)};
+    return true;
+}
+
 bool Divider::operator()(const Range& range, Children& out) const {
     if (range.count == 1) return false;
     if (range.count == 2) return dividePair(range, out);
     return range.count <= kExactSize ? divideExactly(range, out) : divideByBins(range, out);
 }
 
-bool Divider::isLeaf(const Range& range, const Split& split) const {
-    if (range.count > uint32_t(options_.maxLeafSize)) return false;
-    const float area = range.bounds.box.halfArea();
-    return !(options_.traversalCost * area + options_.intersectionCost * split.cost <
-             options_.intersectionCost * area * float(range.count));
-}
-
-/// Whether the cut is worth more than the median, and the depth limit allows both sides.
-bool Divider::accepts(const Range& range, const Split& split, uint32_t left) const {
-    // Boxes that all cover the same: any cut is as good, and an even one keeps the tree low.
-    const float gainless = (1 - 1e-6f) * range.bounds.box.halfArea() * float(range.count);
-    const uint64_t most = uint64_t(1) << (depthLimit_ - range.depth - 1);
-    return split.axis >= 0 && split.cost < gainless && left <= most && range.count - left <= most;
-}
-
 /// Nearly half of all cuts are of two items, and there is only one.
 bool Divider::dividePair(const Range& range, Children& out) const {
     const Box4 left = range.references[0].box();
     const Box4 right = range.references[1].box();
-    if (isLeaf(range, {left.halfArea() + right.halfArea(), 0, 1})) return false;
+    const float area = range.bounds.box.halfArea();
+    if (rules_.isLeaf(area, 2, left.halfArea() + right.halfArea())) return false;
     out = {range.part(0, 1, false, {left}), range.part(1, 1, false, {right})};
     return true;
 }
@@ -91,8 +79,8 @@ bool Divider::divideExactly(const Range& range, Children& out) const {
             bins.boxes[ranks[i][axis]][axis] = range.references[i].box();
     }
     const Split split = bins.best(count);
-    if (isLeaf(range, split)) return false;
-    if (!accepts(range, split, split.position)) return divideAtMedian(range, out);
+    if (rules_.isLeaf(range.bounds.box.halfArea(), range.count, split.cost)) return false;
+    if (!rules_.accepts(range, split.cost, split.position)) return divideAtMedian(range, out);
     for (int i = 0; i < count; ++i) range.spare[ranks[i][split.axis]] = range.references[i];
     const uint32_t left = split.position;
     out.left = range.part(0, left, true, {bins.box(split.axis, 0, split.position)});
@@ -103,7 +91,7 @@ bool Divider::divideExactly(const Range& range, Children& out) const {
 
 bool Divider::divideByBins(const Range& range, Children& out) const {
     // Few bins serve small ranges as well: their sides are looked at more closely later.
-    const int binCount = std::min(options_.bins, int(std::max(8u, range.count / 8)));
+    const int binCount = std::min(rules_.options.bins, int(std::max(8u, range.count / 8)));
     const BinMap map(range.bounds.centres, binCount);
     if (range.count >= kParallelSize) return divideInChunks(range, map, binCount, out);
 
@@ -111,9 +99,9 @@ bool Divider::divideByBins(const Range& range, Children& out) const {
     bins.clear(binCount);
     fillBins(range.span(), map, bins);
     const Split split = bins.best(binCount);
-    if (isLeaf(range, split)) return false;
+    if (rules_.isLeaf(range.bounds.box.halfArea(), range.count, split.cost)) return false;
     const uint32_t left = split.axis < 0 ? 0 : bins.count(split.axis, 0, split.position);
-    if (!accepts(range, split, left)) return divideAtMedian(range, out);
+    if (!rules_.accepts(range, split.cost, left)) return divideAtMedian(range, out);
     Partition sides{range.spare, range.spare + left};
     partition(range.span(), map, split, sides);
     finish(range, bins, split, binCount, left, sides, out);
@@ -131,9 +119,9 @@ bool Divider::divideInChunks(const Range& range, const BinMap& map, int binCount
     bins.clear(binCount);
     for (const Bins& chunk : chunks) bins.add(chunk, binCount);
     const Split split = bins.best(binCount);
-    if (isLeaf(range, split)) return false;
+    if (rules_.isLeaf(range.bounds.box.halfArea(), range.count, split.cost)) return false;
     const uint32_t left = split.axis < 0 ? 0 : bins.count(split.axis, 0, split.position);
-    if (!accepts(range, split, left)) return divideAtMedian(range, out);
+    if (!rules_.accepts(range, split.cost, left)) return divideAtMedian(range, out);
 
     std::vector<Partition> sides;
     sides.reserve(chunks.size());

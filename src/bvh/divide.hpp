@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One step of the builder: whether and where to cut a range of references. Private to the builder.
+// One step of the binned builder: whether and where to cut a range of references; and the rules
+// that all builders share. Private to the builders.
 #pragma once
 
 #include <tbb/parallel_for.h>
@@ -65,25 +66,50 @@ void forChunks(uint32_t count, F&& work) {
     });
 }
 
+/// Which cuts are worth it. `cost` is the area times the items of both sides, as in Split.
+struct CutRules {
+    BuildOptions options;
+    int depthLimit;  ///< no node at depth d has more than 2^(depthLimit - d) items
+
+    [[nodiscard]] bool isLeaf(float area, uint32_t count, float cost) const {
+        if (count > uint32_t(options.maxLeafSize)) return false;
+        return !(options.traversalCost * area + options.intersectionCost * cost <
+                 options.intersectionCost * area * float(count));
+    }
+    [[nodiscard]] bool fits(int depth, uint32_t left, uint32_t right) const {
+        const uint64_t most = uint64_t(1) << (depthLimit - depth - 1);
+        return left <= most && right <= most;
+    }
+    /// Whether the cut is worth more than the median, and the depth limit allows both sides.
+    [[nodiscard]] bool accepts(const Range& range, float cost, uint32_t left) const {
+        // Boxes that all cover the same: any cut is as good, and an even one keeps the tree low.
+        const float gainless = (1 - 1e-6f) * range.bounds.box.halfArea() * float(range.count);
+        return cost < gainless && fits(range.depth, left, range.count - left);
+    }
+};
+
+/// Orders the references such that the first half comes before the second by centre along the
+/// axis; equal centres by number. Returns the size of the first half.
+uint32_t orderAtMedian(std::span<Reference> references, int axis);
+
+/// Half of the items on either side, by centre along the widest axis, or by number if all
+/// centres are equal.
+bool divideAtMedian(const Range& range, Children& out);
+
 class Divider {
   public:
-    /// Precondition: no node at depth d has more than 2^(depthLimit - d) items.
-    Divider(const BuildOptions& options, int depthLimit)
-        : options_(options), depthLimit_(depthLimit) {}
+    explicit Divider(const CutRules& rules) : rules_(rules) {}
 
     /// False if the range is better left whole.
     bool operator()(const Range& range, Children& out) const;
 
   private:
-    [[nodiscard]] bool isLeaf(const Range& range, const Split& split) const;
-    [[nodiscard]] bool accepts(const Range& range, const Split& split, uint32_t left) const;
     bool dividePair(const Range& range, Children& out) const;
     bool divideExactly(const Range& range, Children& out) const;
     bool divideByBins(const Range& range, Children& out) const;
     bool divideInChunks(const Range& range, const BinMap& map, int binCount, Children& out) const;
 
-    BuildOptions options_;
-    int depthLimit_;
+    CutRules rules_;
 };
 
 }  // namespace vitrine
