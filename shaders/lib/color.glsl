@@ -28,3 +28,16 @@ vec3 colorOfId(uint id) {
     vec3 rgb = clamp(abs(fract(hue + vec3(0.0, 2.0 / 3.0, 1.0 / 3.0)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
     return value * mix(vec3(1.0), rgb, 0.72);
 }
+
+// OKLCH, a space where equal lightness looks equally light (Ottosson, "A perceptual color space for
+// image processing", 2020): lightness 0 to 1, chroma 0 to about 0.3, hue in radians.
+vec3 linearFromOklch(float lightness, float chroma, float hue) {
+    vec2 ab = chroma * vec2(cos(hue), sin(hue));
+    vec3 cone = lightness + vec3(dot(ab, vec2(0.3963377774, 0.2158037573)),
+                                 dot(ab, vec2(-0.1055613458, -0.0638541728)),
+                                 dot(ab, vec2(-0.0894841775, -1.2914855480)));
+    cone = cone * cone * cone;
+    return vec3(dot(cone, vec3(4.0767416621, -3.3077115913, 0.2309699292)),
+                dot(cone, vec3(-1.2684380046, 2.6097574011, -0.3413193965)),
+                dot(cone, vec3(-0.0041960863, -0.7034186147, 1.7076147010)));
+}

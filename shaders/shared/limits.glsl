@@ -73,6 +73,7 @@
 #define VITRINE_VIEW_STEPS 11
 #define VITRINE_VIEW_NODES 12
 #define VITRINE_VIEW_LOOPS 13
+#define VITRINE_VIEW_BVH 14
 
 // Tone maps, in the order of ToneMap (scene/scene.hpp).
 #define VITRINE_TONE_NONE 0

@@ -50,6 +50,7 @@ void Frame::begin(const FrameRequest& request) {
     block.sampling.w = request.seed;
     // Enough rays for ambient occlusion that a picture of few samples is not speckled.
     block.display.w = static_cast<float>(std::clamp(16 / request.samples, 1, 16));
+    if (request.view == View::kBvh) treeBoxes_.upload(treeLevel(instances_, request.treeLevel));
     if (!resized) return;
     const auto image = [&](TexelFormat f) { return Texture(width, height, f); };
     for (PathImages& path : paths_) path.allocate(width, height);
@@ -112,10 +113,17 @@ void Frame::followPaths() {
 }
 
 ImageRgba8 Frame::picture() {
+    if (request_.view == View::kBvh) {
+        // The bounces have overwritten the records. Through the middles of the pixels, so that they
+        // fit the lines.
+        context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
+        findFirstHits();
+    }
     const glm::ivec4 drawn = context_.block.image;
     context_.block.image.x = request_.width;
     context_.block.image.y = request_.height;
     displayPass(context_, mean_[0], picture_);
+    if (request_.view == View::kBvh) boxesPass(context_, treeBoxes_, paths_[0].records, picture_);
     context_.block.image = drawn;
     const std::vector<uint8_t> bytes = picture_.readBytes();
     ImageRgba8 image(request_.width, request_.height);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "frame/passes.hpp"
+#include "frame/tree_boxes.hpp"
 #include "frame/view.hpp"
 #include "image/image.hpp"
 
@@ -23,6 +24,7 @@ struct FrameRequest {
     int bounces = 2;
     int seed = 0;
     View view = View::kColor;
+    int treeLevel = 0;  ///< of View::kBvh
     Primary primary = Primary::kRaster;
 };
 
@@ -66,6 +68,7 @@ class Frame {
     Texture black_, picture_;
     DepthImage depth_;
     std::vector<PackedInstance> instances_;
+    TreeBoxes treeBoxes_;
     int fieldRoot_ = -1;
     bool rasterPossible_;
     int maxSide_;

@@ -41,4 +41,13 @@ void PassContext::draw(const std::string& pass, const RasterImages& images,
     if (counting) counters[0].clear();
 }
 
+void PassContext::overlay(const std::string& pass, PassImages images, int vertices) {
+    const Program& program = programs.get(pass);
+    for (const auto& buffer : scene.bindings()) images.buffers.push_back(buffer);
+    uniforms_.upload(std::as_bytes(std::span(&block, 1)));
+    if (timing) timer_.begin(pass);
+    overlayRunner_.run(program, uniforms_, images, vertices);
+    if (timing) timer_.end();
+}
+
 }  // namespace vitrine

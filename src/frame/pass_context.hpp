@@ -7,6 +7,7 @@
 
 #include "frame/gpu_scene.hpp"
 #include "frame/programs.hpp"
+#include "gpu/overlay_pass.hpp"
 #include "gpu/raster_pass.hpp"
 #include "gpu/timer.hpp"
 
@@ -30,6 +31,9 @@ class PassContext {
     void draw(const std::string& pass, const RasterImages& images,
               std::span<const RasterDraw> draws);
 
+    /// Draws `vertices` corners of triangles over a picture, mixed by their alpha.
+    void overlay(const std::string& pass, PassImages images, int vertices);
+
     FrameBlock block{};
     GpuScene scene;
     ProgramSet programs;
@@ -41,6 +45,7 @@ class PassContext {
   private:
     PassRunner runner_;
     RasterRunner rasterRunner_;
+    OverlayRunner overlayRunner_;
     UniformBlock uniforms_;
     PassTimer timer_;
 };

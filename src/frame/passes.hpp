@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frame/pass_context.hpp"
+#include "frame/tree_boxes.hpp"
 
 namespace vitrine {
 
@@ -28,6 +29,10 @@ void accumulatePass(PassContext& context, const Texture& radiance, const Texture
 
 /// What the records or the counters say, as a colour.
 void viewPass(PassContext& context, const Texture& records, Texture& radiance);
+
+/// Boxes of the trees over the picture, which is dimmed; `records` are of the same moment.
+void boxesPass(PassContext& context, const TreeBoxes& boxes, const Texture& records,
+               Texture& picture);
 
 /// From the mean to 8 bits.
 void displayPass(PassContext& context, const Texture& mean, Texture& picture);

@@ -24,6 +24,7 @@ enum class View {
     kSteps,
     kNodes,
     kLoops,
+    kBvh,
 };
 
 /// The names for `--view`, in the order of the enumeration.
@@ -34,5 +35,13 @@ std::optional<View> viewByName(const std::string& name);
 bool showsCounters(View view);
 /// Shows the first hit; light is not needed.
 bool showsRecords(View view);
+
+/// A view and the level of the trees that kBvh shows.
+struct ViewChoice {
+    View view = View::kColor;
+    int treeLevel = 0;
+};
+/// "normal", or "bvh=4". Throws UsageError, with what there is.
+ViewChoice parseView(const std::string& text);
 
 }  // namespace vitrine

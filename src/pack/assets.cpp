@@ -9,10 +9,10 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "bvh/build.hpp"
 #include "image/decode.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/primitives.hpp"
+#include "pack/tree_options.hpp"
 
 namespace vitrine {
 namespace {
@@ -102,11 +102,12 @@ class AssetReader {
         return {};
     }
 
-    static std::shared_ptr<const MeshAsset> build(Mesh mesh) {
+    [[nodiscard]] std::shared_ptr<const MeshAsset> build(Mesh mesh) const {
         auto asset = std::make_shared<MeshAsset>();
         asset->mesh = std::move(mesh);
         const auto start = std::chrono::steady_clock::now();
-        asset->bvh = buildTriangleBvh(asset->mesh.positions, asset->mesh.triangles);
+        asset->bvh = buildTriangleBvh(asset->mesh.positions, asset->mesh.triangles,
+                                      buildOptions(scene_.bvh));
         asset->buildSeconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         return asset;

@@ -282,8 +282,8 @@ class Packer {
         const Aabb worldBox = instanceBox(box, worldFromObject);
         out_.worldBox.grow(worldBox);
         out_.instances.push_back({node.name, worldFromObject, worldBox, field != nullptr,
-                                  firstTriangle,
-                                  mesh != nullptr ? mesh->mesh.triangles.size() : 0});
+                                  firstTriangle, mesh != nullptr ? mesh->mesh.triangles.size() : 0,
+                                  box, mesh});
     }
 
     /// Joins the tables; material lists get addresses of the whole.

@@ -20,6 +20,8 @@ struct PackedInstance {
     bool field = false;
     int firstTriangle = 0;  ///< of a mesh, in PackedScene::triangles
     size_t triangles = 0;
+    Aabb objectBox;                         ///< of the mesh, or the bounds of the field
+    std::shared_ptr<const MeshAsset> mesh;  ///< null: a field
 };
 
 struct PackedScene {

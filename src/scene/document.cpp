@@ -115,8 +115,8 @@ std::vector<toml::table*> findTargets(toml::table& document, const std::vector<s
 }  // namespace
 
 const std::vector<std::string>& sectionNames() {
-    static const std::vector<std::string> names{"scene", "render",   "camera", "environment",
-                                                "light", "material", "shape",  "node"};
+    static const std::vector<std::string> names{
+        "scene", "render", "bvh", "camera", "environment", "light", "material", "shape", "node"};
     return names;
 }
 

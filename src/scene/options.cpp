@@ -50,6 +50,27 @@ const OptionTable<RenderSettings>& renderOptions() {
     return table;
 }
 
+const OptionTable<TreeSettings>& bvhOptions() {
+    using T = TreeSettings;
+    static const OptionTable<T> table{
+        {"builder", choice<T>({"nine", "binned", "spatial"}, &T::builder), kNone,
+         "nine: the best of three cuts along each axis; binned: fast; spatial: cuts triangles too"},
+        {"max_leaf_size", &T::maxLeafSize, {1, 16}, "most triangles in a leaf; 1 makes all alone"},
+        {"traversal_cost",
+         &T::traversalCost,
+         {0.01, 100},
+         "cost of a node, in tests of a triangle; more makes larger leaves"},
+        {"max_duplicates",
+         &T::maxDuplicates,
+         {0, 8},
+         "spatial: most parts of cut triangles beyond the first, for each triangle of the mesh"},
+        {"min_overlap", &T::minOverlap, kUnit,
+         "spatial: planes are tried where boxes share this part of the whole's area; 0: "
+         "everywhere"},
+    };
+    return table;
+}
+
 const OptionTable<Camera>& cameraOptions() {
     using C = Camera;
     static const OptionTable<C> table{

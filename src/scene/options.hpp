@@ -55,6 +55,7 @@ template <class T>
 using OptionTable = std::vector<Option<T>>;
 
 const OptionTable<RenderSettings>& renderOptions();
+const OptionTable<TreeSettings>& bvhOptions();
 const OptionTable<Camera>& cameraOptions();
 const OptionTable<Environment>& environmentOptions();
 const OptionTable<Light>& lightOptions();

@@ -147,6 +147,7 @@ TEST(Options, EveryRowOfSingleSectionsReachesItsMember) {
     checkTable<Scene>(sceneOptions(), {"[scene]\n", "", [](const Scene& s) { return s; }});
     checkTable<RenderSettings>(renderOptions(),
                                {"[render]\n", "", [](const Scene& s) { return s.render; }});
+    checkTable<TreeSettings>(bvhOptions(), {"[bvh]\n", "", [](const Scene& s) { return s.bvh; }});
     checkTable<Environment>(environmentOptions(),
                             {"[environment]\n", "", [](const Scene& s) { return s.environment; }});
 }

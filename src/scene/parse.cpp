@@ -26,6 +26,8 @@ class SceneParser {
                 single(node, section, sceneOptions(), scene_);
             else if (section == "render")
                 single(node, section, renderOptions(), scene_.render);
+            else if (section == "bvh")
+                single(node, section, bvhOptions(), scene_.bvh);
             else if (section == "environment")
                 environment(node);
             else if (section == "camera")

@@ -90,6 +90,7 @@ Every key can also be given on the command line. What is no TOML value is taken 
 
 ```
 --set render.exposure=1             --set environment.sky=[0.1,0.2,0.3]
+--set bvh.builder=spatial           --set bvh.max_leaf_size=1
 --set camera.fov=40                 the first camera           --set camera.NAME.fov=40
 --set light.intensity=2             every light                --set light.NAME.type=point
 --set material.NAME.roughness=0.1   --set shape.NAME.sphere.radius=2
@@ -107,6 +108,9 @@ std::string sceneFormatReference() {
     out << kIntroduction;
     section(out, "[scene]", sceneOptions());
     section(out, "[render]", renderOptions());
+    section(out, "[bvh]", bvhOptions());
+    out << "\nHow the trees of meshes are built. `info FILE --builders` compares the builders,\n"
+           "`--view bvh=4` shows a tree.\n";
     section(out, "[[camera]]", cameraOptions());
     out << "\nThe first camera is used unless `--camera` names another.\n";
     section(out, "[environment]", environmentOptions());

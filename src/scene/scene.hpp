@@ -52,6 +52,17 @@ struct RenderSettings {
     int seed = 0;
 };
 
+enum class TreeBuilder { kNine, kBinned, kSpatial };
+
+/// How the trees of meshes are built (bvh/build.hpp).
+struct TreeSettings {
+    TreeBuilder builder = TreeBuilder::kBinned;
+    int maxLeafSize = 4;
+    float traversalCost = 1;     ///< of a node, in tests of a triangle
+    float maxDuplicates = 0.5f;  ///< spatial: as a part of all triangles
+    float minOverlap = 1e-5f;    ///< spatial: as a part of the root's area
+};
+
 struct Camera {
     std::string name;
     glm::vec3 eye{3, 2, 4};
@@ -205,6 +216,7 @@ struct Scene {
     std::filesystem::path folder;  ///< where references to files start, and which they stay inside
     std::string title, description;
     RenderSettings render;
+    TreeSettings bvh;
     std::vector<Camera> cameras;
     Environment environment;
     std::vector<Light> lights;

@@ -44,7 +44,7 @@ void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen)
         ->check(kFinite)
         ->capture_default_str();
     c->add_option("--camera", o.camera, "the camera of this name");
-    c->add_option("--view", o.view, fmt::format("what to show: {}", fmt::join(viewNames(), " ")))
+    c->add_option("--view", o.view, fmt::format("what to show: {}=LEVEL", fmt::join(viewNames(), " ")))
         ->capture_default_str();
     c->add_option("--backend", o.backend, "fragment or compute shaders")
         ->check(CLI::IsMember({"auto", "fragment", "compute"}))

@@ -20,12 +20,6 @@ Backend parseBackend(const std::string& name) {
     return Backend::kAuto;
 }
 
-View parseView(const std::string& name) {
-    if (const auto view = viewByName(name)) return *view;
-    throw UsageError(fmt::format("--view: there is no view '{}'{}; there are {}", name,
-                                 didYouMean(name, viewNames()), fmt::join(viewNames(), ", ")));
-}
-
 void checkOutputName(const std::string& output) {
     if (!endsWith(output, ".png"))
         throw UsageError(fmt::format("-o: '{}' must end in .png", output));
@@ -68,7 +62,9 @@ int render(const RenderOptions& options) {
     picture.camera = options.camera;
     picture.samples = options.samples;
     picture.seed = options.seed;
-    picture.view = parseView(options.view);
+    const ViewChoice view = parseView(options.view);
+    picture.view = view.view;
+    picture.treeLevel = view.treeLevel;
     picture.primary = options.primary == "trace" ? Primary::kTrace : Primary::kRaster;
     const bool several = !options.frames.empty();
     const FrameRange range = several ? parseFrames(options.frames) : FrameRange{};

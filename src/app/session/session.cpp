@@ -73,6 +73,7 @@ ImageRgba8 Renderer::draw(const PictureRequest& request,
     frame.ssaa = settings.ssaa;
     frame.seed = request.seed.value_or(settings.seed);
     frame.view = request.view;
+    frame.treeLevel = request.treeLevel;
     frame.primary = request.primary;
     try {
         frame_->begin(frame);

@@ -41,6 +41,7 @@ struct PictureRequest {
     float time = 0;
     std::optional<int> samples, seed;
     View view = View::kColor;
+    int treeLevel = 0;  ///< of View::kBvh
     Primary primary = Primary::kRaster;
 };
 
