@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Embree's builder alone (rtcBuildBVH, MEDIUM) making a binary tree of our node layout: the peer
-// that neither copies triangles nor writes a wide tree.
+// Embree's builder alone (rtcBuildBVH) making a binary tree: the peer that neither copies triangles
+// nor writes a wide tree. Its tree as ours, to be measured and walked like ours.
 #pragma once
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <new>
 #include <span>
 #include <vector>
 
-#include "base/aabb.hpp"
+#include "bvh/bvh.hpp"
+#include "bvh/clip.hpp"
 
 namespace vitrine {
 
@@ -31,10 +33,40 @@ inline std::vector<RTCBuildPrimitive> embreePrimitives(std::span<const glm::vec3
     return result;
 }
 
-/// Destroys the order of `primitives`.
-inline void* embreeBuildBinary(RTCBVH bvh, std::vector<RTCBuildPrimitive>& primitives) {
+/// The mesh whose triangles HIGH quality cuts.
+struct EmbreeMesh {
+    std::span<const glm::vec3> positions;
+    std::span<const glm::uvec3> triangles;
+};
+
+inline void embreeSplit(const RTCBuildPrimitive* primitive, unsigned axis, float plane,
+                        RTCBounds* left, RTCBounds* right, void* user) {
+    const auto& mesh = *static_cast<const EmbreeMesh*>(user);
+    const glm::uvec3& t = mesh.triangles[primitive->primID];
+    const RTCBuildPrimitive& p = *primitive;
+    const Aabb box{{p.lower_x, p.lower_y, p.lower_z}, {p.upper_x, p.upper_y, p.upper_z}};
+    const ClippedBoxes parts = clip({mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]},
+                                    box, int(axis), plane);
+    const auto store = [](const Aabb& b, RTCBounds* out) {
+        *out = {b.min.x, b.min.y, b.min.z, 0, b.max.x, b.max.y, b.max.z, 0};
+    };
+    store(parts.left, left);
+    store(parts.right, right);
+}
+
+/// Leaves are marked by the lowest bit of their address.
+inline constexpr uintptr_t kEmbreeLeaf = 1;
+
+/// Destroys the order of `primitives`. `mesh` is needed for HIGH quality.
+inline void* embreeBuildBinary(RTCBVH bvh, std::vector<RTCBuildPrimitive>& primitives,
+                               RTCBuildQuality quality = RTC_BUILD_QUALITY_MEDIUM,
+                               EmbreeMesh* mesh = nullptr) {
+    const size_t given = primitives.size();
+    if (quality == RTC_BUILD_QUALITY_HIGH) primitives.resize(2 * given);
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
-    arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
+    arguments.buildQuality = quality;
+    arguments.splitPrimitive = mesh != nullptr ? embreeSplit : nullptr;
+    arguments.userPtr = mesh;
     arguments.maxBranchingFactor = 2;
     arguments.maxDepth = 64;
     arguments.sahBlockSize = 1;
@@ -42,7 +74,7 @@ inline void* embreeBuildBinary(RTCBVH bvh, std::vector<RTCBuildPrimitive>& primi
     arguments.maxLeafSize = 4;
     arguments.bvh = bvh;
     arguments.primitives = primitives.data();
-    arguments.primitiveCount = primitives.size();
+    arguments.primitiveCount = given;
     arguments.primitiveArrayCapacity = primitives.size();
     arguments.createNode = [](RTCThreadLocalAllocator allocator, unsigned, void*) -> void* {
         return new (rtcThreadLocalAlloc(allocator, sizeof(EmbreeBinaryNode), 16)) EmbreeBinaryNode;
@@ -64,9 +96,25 @@ inline void* embreeBuildBinary(RTCBVH bvh, std::vector<RTCBuildPrimitive>& primi
             rtcThreadLocalAlloc(allocator, (count + 1) * sizeof(uint32_t), 16));
         leaf[0] = uint32_t(count);
         for (size_t i = 0; i < count; ++i) leaf[i + 1] = items[i].primID;
-        return leaf;
+        return reinterpret_cast<void*>(reinterpret_cast<uintptr_t>(leaf) | kEmbreeLeaf);
     };
     return rtcBuildBVH(&arguments);
+}
+
+/// The tree as ours.
+inline void convertEmbree(void* from, const Aabb& box, uint32_t slot, Bvh& out) {
+    const auto address = reinterpret_cast<uintptr_t>(from);
+    if ((address & kEmbreeLeaf) != 0) {
+        const auto* leaf = reinterpret_cast<const uint32_t*>(address & ~kEmbreeLeaf);
+        out.nodes[slot] = {box.min, uint32_t(out.items.size()), box.max, leaf[0]};
+        out.items.insert(out.items.end(), leaf + 1, leaf + 1 + leaf[0]);
+        return;
+    }
+    const auto& node = *static_cast<const EmbreeBinaryNode*>(from);
+    const auto pair = uint32_t(out.nodes.size());
+    out.nodes[slot] = {box.min, pair, box.max, 0};
+    out.nodes.resize(pair + 2);
+    for (uint32_t i = 0; i < 2; ++i) convertEmbree(node.children[i], node.boxes[i], pair + i, out);
 }
 
 }  // namespace vitrine

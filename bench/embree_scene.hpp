@@ -41,18 +41,18 @@ class EmbreeScene {
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-    /// A scene that holds the mesh but has no tree yet: `commit` builds it, at MEDIUM quality.
-    [[nodiscard]] RTCScene newScene() const {
+    /// A scene that holds the mesh but has no tree yet: `commit` builds it.
+    [[nodiscard]] RTCScene newScene(RTCBuildQuality quality = RTC_BUILD_QUALITY_MEDIUM) const {
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                    positions_.data(), 0, sizeof(glm::vec3), positions_.size());
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                    triangles_.data(), 0, sizeof(glm::uvec3), triangles_.size());
-        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
+        rtcSetGeometryBuildQuality(geometry, quality);
         rtcCommitGeometry(geometry);
         RTCScene scene = rtcNewScene(device_);
         rtcSetSceneFlags(scene, flags_);
-        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+        rtcSetSceneBuildQuality(scene, quality);
         rtcAttachGeometry(scene, geometry);
         rtcReleaseGeometry(geometry);
         return scene;

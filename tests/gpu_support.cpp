@@ -3,8 +3,8 @@
 
 #include <cstdlib>
 
-#include "bvh/build.hpp"
 #include "pack/camera.hpp"
+#include "pack/tree_options.hpp"
 
 namespace vitrine::test {
 
@@ -38,7 +38,7 @@ TestScene::TestScene() {
 
 int TestScene::addMesh(vitrine::Mesh mesh) {
     auto asset = std::make_shared<MeshAsset>();
-    asset->bvh = buildTriangleBvh(mesh.positions, mesh.triangles);
+    asset->bvh = buildTriangleBvh(mesh.positions, mesh.triangles, buildOptions(scene.bvh));
     asset->mesh = std::move(mesh);
     assets_.meshes.push_back(std::move(asset));
     assets_.fields.push_back(nullptr);

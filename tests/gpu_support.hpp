@@ -42,7 +42,7 @@ class TestScene {
   public:
     TestScene();
 
-    /// Each returns the number of the shape.
+    /// Each returns the number of the shape. Trees are built after scene.bvh.
     int addMesh(vitrine::Mesh mesh);
     int addMesh(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles);
     int addField(const std::string& snippet);

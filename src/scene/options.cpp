@@ -53,7 +53,8 @@ const OptionTable<RenderSettings>& renderOptions() {
 const OptionTable<TreeSettings>& bvhOptions() {
     using T = TreeSettings;
     static const OptionTable<T> table{
-        {"builder", choice<T>({"nine", "binned", "spatial"}, &T::builder), kNone,
+        {"builder", choice<T>({kTreeBuilderNames.begin(), kTreeBuilderNames.end()}, &T::builder),
+         kNone,
          "nine: the best of three cuts along each axis; binned: fast; spatial: cuts triangles too"},
         {"max_leaf_size", &T::maxLeafSize, {1, 16}, "most triangles in a leaf; 1 makes all alone"},
         {"traversal_cost",

@@ -53,6 +53,7 @@ struct RenderSettings {
 };
 
 enum class TreeBuilder { kNine, kBinned, kSpatial };
+inline constexpr std::array<const char*, 3> kTreeBuilderNames{"nine", "binned", "spatial"};
 
 /// How the trees of meshes are built (bvh/build.hpp).
 struct TreeSettings {

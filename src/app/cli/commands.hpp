@@ -31,6 +31,9 @@ int check(const CheckOptions& options);
 
 struct InfoOptions {
     std::string file, json;
+    bool builders = false;    ///< build each mesh's tree in all ways, to compare them
+    std::string exportBoxes;  ///< write the boxes of a level of the trees to this .obj
+    int level = 0;
     std::vector<std::string> overrides;
 };
 /// Prints what is in a scene.

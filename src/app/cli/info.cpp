@@ -5,24 +5,15 @@
 #include <set>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/describe_tree.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "pack/tree_level.hpp"
 
 namespace vitrine {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json describeMesh(const std::string& shape, const MeshAsset& asset) {
-    const BvhStatistics s = measure(asset.bvh);
-    return {{"shape", shape},
-            {"triangles", asset.mesh.triangles.size()},
-            {"vertices", asset.mesh.positions.size()},
-            {"parts", asset.mesh.partNames},
-            {"sah_cost", s.sahCost},
-            {"tree_nodes", s.nodes},
-            {"tree_depth", s.depth},
-            {"mean_leaf", s.meanLeaf},
-            {"build_seconds", asset.buildSeconds}};
-}
 
 Json describeSnippet(const Snippet& snippet) {
     Json json{{"file", snippet.file}, {"entry", snippet.entry}, {"uses_time", snippet.usesTime}};
@@ -49,7 +40,7 @@ Json describeSnippet(const Snippet& snippet) {
     return json;
 }
 
-Json describe(const LoadedScene& loaded) {
+Json describe(const LoadedScene& loaded, bool builders) {
     Json json{{"scene", loaded.scene.file},
               {"title", loaded.scene.title},
               {"triangles", loaded.packed.triangleCount},
@@ -64,7 +55,8 @@ Json describe(const LoadedScene& loaded) {
     std::set<const void*> seen;
     for (size_t i = 0; i < loaded.assets.meshes.size(); ++i) {
         if (const auto& mesh = loaded.assets.meshes[i]; mesh && seen.insert(mesh.get()).second)
-            json["meshes"].push_back(describeMesh(loaded.scene.shapes[i].name, *mesh));
+            json["meshes"].push_back(
+                describeMesh(loaded.scene.shapes[i].name, *mesh, loaded.scene.bvh, builders));
     }
     for (const auto* list : {&loaded.assets.fields, &loaded.assets.materials})
         for (const auto& snippet : *list)
@@ -78,13 +70,7 @@ void print(const Json& json) {
                json["scene"].get<std::string>(), json["triangles"].get<size_t>(),
                json["instances"].get<size_t>(), json["lights"].get<size_t>(),
                json["materials"].get<size_t>());
-    for (const Json& m : json["meshes"])
-        fmt::print(
-            "mesh {}: {} triangles, tree of {} nodes, depth {}, SAH cost {:.1f}, built in {:.1f} "
-            "ms\n",
-            m["shape"].get<std::string>(), m["triangles"].get<size_t>(),
-            m["tree_nodes"].get<size_t>(), m["tree_depth"].get<int>(), m["sah_cost"].get<double>(),
-            1e3 * m["build_seconds"].get<double>());
+    for (const Json& m : json["meshes"]) printMesh(m);
     for (const Json& s : json["snippets"]) {
         fmt::print("snippet {}: {}()\n", s["file"].get<std::string>(),
                    s["entry"].get<std::string>());
@@ -98,10 +84,21 @@ void print(const Json& json) {
 }  // namespace
 
 int info(const InfoOptions& options) {
+    if (!options.exportBoxes.empty()) {
+        if (!endsWith(options.exportBoxes, ".obj"))
+            throw UsageError(
+                fmt::format("--export-bvh: '{}' must end in .obj", options.exportBoxes));
+        checkWritable(options.exportBoxes);
+    }
     Diagnostics diagnostics;
     const LoadedScene loaded = loadAll(options.file, options.overrides, diagnostics);
     diagnostics.throwIfErrors();
-    const Json json = describe(loaded);
+    if (!options.exportBoxes.empty()) {
+        const auto& instances = loaded.packed.instances;
+        writeFileAtomically(options.exportBoxes,
+                            objOfTreeLevel(instances, treeLevel(instances, options.level)));
+    }
+    const Json json = describe(loaded, options.builders);
     if (options.json.empty())
         print(json);
     else

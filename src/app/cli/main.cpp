@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "app/cli/commands.hpp"
+#include "pack/tree_level.hpp"
 
 namespace vitrine {
 namespace {
@@ -44,7 +45,8 @@ void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen)
         ->check(kFinite)
         ->capture_default_str();
     c->add_option("--camera", o.camera, "the camera of this name");
-    c->add_option("--view", o.view, fmt::format("what to show: {}=LEVEL", fmt::join(viewNames(), " ")))
+    c->add_option("--view", o.view,
+                  fmt::format("what to show: {}=LEVEL", fmt::join(viewNames(), " ")))
         ->capture_default_str();
     c->add_option("--backend", o.backend, "fragment or compute shaders")
         ->check(CLI::IsMember({"auto", "fragment", "compute"}))
@@ -72,6 +74,13 @@ void defineInfo(CLI::App& app, InfoOptions& o, std::function<int()>& chosen) {
     CLI::App* c = app.add_subcommand("info", "show what is in a scene");
     c->add_option("FILE", o.file)->required();
     c->add_option("--json", o.json, "write it as JSON to this file, or - ");
+    c->add_flag("--builders", o.builders, "compare the trees that all builders make");
+    CLI::Option* boxes = c->add_option("--export-bvh", o.exportBoxes,
+                                       "write the boxes of a level of the trees to this .obj");
+    c->add_option("--level", o.level, "the level for --export-bvh")
+        ->check(CLI::Range(0, kMaxTreeLevel))
+        ->needs(boxes)
+        ->capture_default_str();
     addOverrides(*c, o.overrides);
     c->callback([&] { chosen = [&] { return info(o); }; });
 }
