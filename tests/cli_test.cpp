@@ -81,6 +81,14 @@ TEST_F(Cli, ACommandLineAtFaultIsTwo) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
         {{"render", "good.toml", "-o", "x.png", "--viw", "normal"}, "--viw"},
         {{"render", "good.toml", "-o", "x.png", "--view", "nrmal"}, "(did you mean 'normal'?)"},
+        {{"render", "good.toml", "-o", "x.png", "--view", "bhv=4"}, "(did you mean 'bvh'?)"},
+        {{"render", "good.toml", "-o", "x.png", "--view", "bvh"}, "as in bvh=4"},
+        {{"render", "good.toml", "-o", "x.png", "--view", "bvh=64"}, "0 to 63"},
+        {{"render", "good.toml", "-o", "x.png", "--view", "bvh=4x"}, "as in bvh=4"},
+        {{"render", "good.toml", "-o", "x.png", "--view", "normal=1"}, "takes no value"},
+        {{"info", "good.toml", "--export-bvh", "x.ply"}, "must end in .obj"},
+        {{"info", "good.toml", "--level", "2"}, "--export-bvh"},
+        {{"info", "good.toml", "--export-bvh", "x.obj", "--level", "64"}, "64"},
         {{"render", "good.toml", "-o", "x.png", "--frames", "0-3"}, "needs ####"},
         {{"render", "good.toml", "-o", "x_#.png", "--frames", "3-0"}, "--frames: '3-0'"},
         {{"render", "good.toml", "-o", "x.png", "-r", "640"}, "-r: '640' is not WIDTHxHEIGHT"},
@@ -104,6 +112,45 @@ TEST_F(Cli, ACommandLineAtFaultIsTwo) {
         EXPECT_NE((o.out + o.err).find(message), std::string::npos) << o.out << o.err;
     }
     EXPECT_EQ(files(), std::vector<std::string>{"good.toml"});
+}
+
+TEST_F(Cli, InfoComparesBuilders) {
+    write("ball.toml",
+          "[bvh]\nbuilder = \"nine\"\nmax_leaf_size = 1\n[shape.b]\nsphere = { radius = 1 }\n"
+          "[[node]]\nshape = \"b\"\n");
+    const Json mesh = Json::parse(run({"info", "ball.toml", "--builders", "--json", "-"}).out)
+                          .at("meshes")
+                          .at(0);
+    EXPECT_EQ(mesh.at("builder"), "nine");
+    EXPECT_EQ(mesh.at("leaf_sizes").at(1), mesh.at("leaves"));
+    EXPECT_EQ(mesh.at("references"), mesh.at("triangles"));
+    ASSERT_EQ(mesh.at("builders").size(), 3u);
+    EXPECT_EQ(mesh.at("builders").at("nine").at("sah_cost"), mesh.at("sah_cost"));
+    for (const auto& [name, tree] : mesh.at("builders").items()) {
+        EXPECT_GT(tree.at("sah_cost").get<double>(), 1) << name;
+        EXPECT_GE(tree.at("references"), mesh.at("triangles")) << name;
+        EXPECT_GT(tree.at("tree_bytes").get<int>(), 48 * mesh.at("triangles").get<int>()) << name;
+    }
+    // Without being asked it does not build what nobody uses.
+    EXPECT_EQ(run({"info", "ball.toml", "--json", "-"}).out.find("builders"), std::string::npos);
+}
+
+TEST_F(Cli, InfoExportsBoxes) {
+    const Outcome o = run({"info", "good.toml", "--export-bvh", "boxes.obj", "--level", "0"});
+    EXPECT_EQ(o.code, 0) << o.err;
+    const std::string text = read("boxes.obj");
+    const auto count = [&](const std::string& word) {
+        size_t found = 0;
+        for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+            ++found;
+        return found;
+    };
+    EXPECT_EQ(count("\no "), 2u);
+    EXPECT_EQ(count("\nv "), 16u);
+    EXPECT_EQ(count("\nf "), 12u);
+    EXPECT_NE(text.find("v 2.5 0.5 0.5\n"), std::string::npos) << "in the world";
+    EXPECT_EQ(run({"check", "boxes.obj"}).code, 0) << "readable by ourselves";
+    EXPECT_EQ(run({"info", "good.toml", "--export-bvh", "missing/boxes.obj"}).code, 3);
 }
 
 TEST_F(Cli, HelpAndVersionAreGood) {

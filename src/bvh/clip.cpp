@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "bvh/clip.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vitrine {
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// The box around the point in which an edge crosses the plane, not rounded to nearest.
 Aabb crossing(const glm::vec3& a, const glm::vec3& b, int axis, float plane) {
@@ -14,8 +14,11 @@ Aabb crossing(const glm::vec3& a, const glm::vec3& b, int axis, float plane) {
     Aabb result;
     for (int i = 0; i < 3; ++i) {
         const auto nearest = float(double(a[i]) + t * (double(b[i]) - double(a[i])));
-        result.min[i] = std::nextafter(nearest, -kInfinity);
-        result.max[i] = std::nextafter(nearest, kInfinity);
+        // More than a unit in the last place; std::nextafter took a quarter of the build.
+        const float slack = std::abs(nearest) * std::numeric_limits<float>::epsilon() +
+                            std::numeric_limits<float>::min();
+        result.min[i] = nearest - slack;
+        result.max[i] = nearest + slack;
     }
     result.min[axis] = result.max[axis] = plane;
     return result;

@@ -85,7 +85,7 @@ PlaneCutter::PlaneCutter(std::span<const glm::vec3> positions,
 PlaneCut PlaneCutter::best(const References& references, const Aabb& box) const {
     PlaneCut best;
     // Clipping few triangles at many planes is most of the work, and gains next to nothing.
-    const int count = std::min(bins_, std::max(8, int(references.size() / 4)));
+    const int count = std::min(bins_, std::max(4, int(references.size() / 4)));
     for (int axis = 0; axis < 3; ++axis) {
         const float extent = box.max[axis] - box.min[axis];
         // An extent so small or large that the map to bins is none.
