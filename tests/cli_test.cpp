@@ -118,9 +118,8 @@ TEST_F(Cli, InfoComparesBuilders) {
     write("ball.toml",
           "[bvh]\nbuilder = \"nine\"\nmax_leaf_size = 1\n[shape.b]\nsphere = { radius = 1 }\n"
           "[[node]]\nshape = \"b\"\n");
-    const Json mesh = Json::parse(run({"info", "ball.toml", "--builders", "--json", "-"}).out)
-                          .at("meshes")
-                          .at(0);
+    const Json mesh =
+        Json::parse(run({"info", "ball.toml", "--builders", "--json", "-"}).out).at("meshes").at(0);
     EXPECT_EQ(mesh.at("builder"), "nine");
     EXPECT_EQ(mesh.at("leaf_sizes").at(1), mesh.at("leaves"));
     EXPECT_EQ(mesh.at("references"), mesh.at("triangles"));
