@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/math.hpp"
 #include "image/image.hpp"
+#include "scene/animation.hpp"
 
 namespace vitrine {
 
@@ -192,7 +193,8 @@ struct Node {
     Reference material;
     std::vector<std::pair<std::string, Reference>> parts;  ///< material by part name
     glm::vec3 at{0};
-    glm::vec3 rotate{0};  ///< degrees about x, then y, then z
+    glm::vec3 rotate{0};                   ///< degrees about x, then y, then z
+    std::optional<glm::quat> orientation;  ///< instead of rotate: a model's
     glm::vec3 scale{1};
     std::vector<ParameterValue> set;
     bool visible = true;
@@ -211,6 +213,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Shape> shapes;
     std::vector<Node> nodes;
+    std::vector<AnimationTrack> animations;
 };
 
 /// `worldFromObject` of each node: translation, rotation and scale of it and its ancestors.
