@@ -2,6 +2,7 @@
 // A number, vector, colour or rotation that changes with time.
 #pragma once
 
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct AnimationTarget {
     /// As `--set` names it: "at", "color", "set.PARAMETER". Of a node also kOrientationKey.
     std::string key;
 
-    bool operator==(const AnimationTarget&) const = default;
+    auto operator<=>(const AnimationTarget&) const = default;
 };
 
 /// Node::orientation, a unit quaternion x y z w: for the rotations of models. Not in scene files.
@@ -39,6 +40,7 @@ struct AnimationTrack {
     /// One a time; three for kCubicSpline: in-tangent, value, out-tangent, per second. Numbers are
     /// in x, truth values 0 or 1, quaternions x y z w.
     std::vector<glm::vec4> values;
+    int components = 1;  ///< of a snippet's parameter: 1 to 4
     Interpolation interpolation = Interpolation::kLinear;
     Ease ease = Ease::kLinear;
     LoopMode loop = LoopMode::kNone;

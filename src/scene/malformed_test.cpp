@@ -215,9 +215,9 @@ INSTANTIATE_TEST_SUITE_P(
              "\"b\"\n[[node]]\nname = \"b\"\nparent = \"a\"\n",
              "t:9:10: error: node 'b' is its own ancestor"},
         Case{"TwoNodesOfOneName", "[[node]]\nname = \"a\"\n[[node]]\nname = \"a\"\n",
-             "t:3:1: error: two nodes are named 'a'"},
+             "t:3:1: error: two nodes are named 'a'; the other is at t:1:1"},
         Case{"TwoCamerasOfOneName", "[[camera]]\nname = \"a\"\n[[camera]]\nname = \"a\"\n",
-             "t:3:1: error: two cameras are named 'a'"},
+             "t:3:1: error: two cameras are named 'a'; the other is at t:1:1"},
         Case{"MaterialOfNothing",
              "[material.gold]\n[[node]]\nmaterial = \"gold\"\nset = { a = 1 }\n",
              "t:3:12: error: material has no effect: the node has no shape\n"

@@ -21,6 +21,15 @@ glm::mat4 parentFromNode(const Node& node) {
 
 }  // namespace
 
+std::string problemOf(const Camera& camera) {
+    const glm::vec3 forward = camera.target - camera.eye;
+    if (glm::length(forward) < 1e-6f) return "the camera's eye and target are the same point";
+    if (glm::length(camera.up) < 1e-6f) return "up has no length";
+    if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(camera.up))) < 1e-6f)
+        return "the camera looks along its up direction";
+    return "";
+}
+
 std::vector<glm::mat4> worldFromNodes(const Scene& scene) {
     std::unordered_map<std::string, size_t> indexOf;
     for (size_t i = 0; i < scene.nodes.size(); ++i) indexOf[scene.nodes[i].name] = i;

@@ -65,6 +65,9 @@ struct Camera {
     static constexpr float kDefaultFocalLength = 35;
 };
 
+/// Why nothing can be seen with this camera; "" if it is good.
+std::string problemOf(const Camera& camera);
+
 /// Radiance by direction: zenith above, horizon, ground below, blended smoothly.
 struct Environment {
     Color zenith{{0.22f, 0.34f, 0.60f}};
