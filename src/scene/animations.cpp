@@ -19,7 +19,8 @@ namespace {
 using Object = AnimationTarget::Object;
 using Words = std::vector<std::string>;
 
-constexpr size_t kMaxKeys = 10'000;
+constexpr size_t kMaxKeys = 10'000;       // of one animation
+constexpr size_t kMaxValues = 1'000'000;  // of all; one path may mean every light
 constexpr Range kTimes{0, 1e6};
 
 const std::vector<std::pair<std::string, Object>>& objectKinds() {
@@ -48,9 +49,11 @@ class ObjectNames {
     }
     [[nodiscard]] std::string hint(Object kind, const std::string& name) const {
         constexpr size_t kMostToCompare = 500;  // a huge scene, error by error, would take minutes
+        const auto& indexOf = lists_.at(kind).indexOf;
+        if (indexOf.size() > kMostToCompare) return "";
         Words names;
-        for (const auto& [known, index] : lists_.at(kind).indexOf) names.push_back(known);
-        return names.size() > kMostToCompare ? "" : didYouMean(name, names);
+        for (const auto& [known, index] : indexOf) names.push_back(known);
+        return didYouMean(name, names);
     }
 
   private:
@@ -109,6 +112,8 @@ class TargetFinder {
                     targets.push_back({target.object, 0, key});
             } else if (exists(target, param)) {
                 targets.push_back(target);
+            } else {
+                return {};
             }
         }
         return targets;
@@ -195,25 +200,41 @@ class AnimationReader {
             object = name->where;
         }
         for (std::string& word : splitKey(entry.param.name)) words.push_back(std::move(word));
-        for (AnimationTarget& target :
-             TargetFinder(scene_, names_, diagnostics_).find(words, object, entry.param.where)) {
+        // A path that means every light is not looked up once more for every animation.
+        const auto [path, isNew] = paths_.emplace(words, where);
+        if (!isNew) return complain(entry.param.where, path->second);
+        const std::vector<AnimationTarget> targets =
+            TargetFinder(scene_, names_, diagnostics_).find(words, object, entry.param.where);
+        const size_t count = keys->is_array() ? keys->as_array()->size() : 0;
+        valueCount_ += count * targets.size();
+        if (valueCount_ > kMaxValues) {
+            diagnostics_.error(where, fmt::format("with this, the animations have more than {} "
+                                                  "keys together",
+                                                  kMaxValues));
+            return;
+        }
+        for (const AnimationTarget& target : targets) {
             AnimationTrack track;
-            track.target = std::move(target);
+            track.target = target;
             track.ease = entry.ease;
             track.loop = entry.loop;
             track.where = where;
-            if (readKeys(*keys, track)) add(std::move(track), entry.param.where);
+            if (!readKeys(*keys, track) || !add(std::move(track), entry.param.where)) return;
         }
     }
 
   private:
-    void add(AnimationTrack track, const SourceLocation& where) {
+    void complain(const SourceLocation& where, const SourceLocation& other) {
+        diagnostics_.error(where, fmt::format("this is animated already, at {}", other.text()));
+    }
+
+    bool add(AnimationTrack track, const SourceLocation& where) {
         const auto [known, isNew] = places_.emplace(track.target, track.where);
         if (!isNew)
-            diagnostics_.error(
-                where, fmt::format("this is animated already, at {}", known->second.text()));
+            complain(where, known->second);
         else if (fixed_.count(track.target) == 0)
             scene_.animations.push_back(std::move(track));
+        return isNew;
     }
 
     bool readKeys(const toml::node& node, AnimationTrack& track) {
@@ -286,6 +307,8 @@ class AnimationReader {
     Diagnostics& diagnostics_;
     std::set<AnimationTarget> fixed_;                   ///< by `--set`
     std::map<AnimationTarget, SourceLocation> places_;  ///< of what is animated
+    std::map<Words, SourceLocation> paths_;             ///< as they are written
+    size_t valueCount_ = 0;
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ void apply(const AnimationTrack& track, double time, Scene& scene) {
 }
 
 void hideWhatHasNoSize(Scene& scene) {
-    constexpr float kNothing = 1e-5f;  // of its size; its inverse would leave the range of numbers
+    constexpr float kNothing = 1e-12f;  // its inverse would leave the range of numbers
     std::set<std::string> hidden;
     for (Node& node : scene.nodes) {
         const glm::vec3 size = glm::abs(node.scale);
