@@ -14,7 +14,7 @@ TextureArray uploadPages(const TextureAtlas& atlas, bool srgb) {
 }  // namespace
 
 void GpuScene::upload(const PackedScene& scene) {
-    slots.upload(std::as_bytes(std::span(scene.slots)));
+    slots.upload(std::as_bytes(std::span(scene.slots)), scene.upperSlots.size());
     triangles.upload(std::as_bytes(std::span(scene.triangles)));
     vertices.upload(std::as_bytes(std::span(scene.vertices)));
     meshSlotTexels = scene.slots.size();

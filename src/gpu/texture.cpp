@@ -226,16 +226,18 @@ void TexelBuffer::attach() {
     checkGl("uploading the scene");
 }
 
-void TexelBuffer::upload(std::span<const std::byte> bytes) {
+void TexelBuffer::upload(std::span<const std::byte> bytes, size_t spare) {
     static constexpr std::byte kOneTexel[16] = {};
     if (bytes.empty()) bytes = kOneTexel;  // a buffer texture of size 0 is incomplete
     assert(bytes.size() % 16 == 0);
-    checkSize(bytes.size());
+    size_ = bytes.size() + spare * 16;
+    checkSize(size_);
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
-    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
-                 GL_STATIC_DRAW);
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(size_),
+                 spare == 0 ? bytes.data() : nullptr, GL_STATIC_DRAW);
+    if (spare != 0)
+        glBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
     checkGl("uploading the scene");
-    size_ = bytes.size();
     attach();
 }
 

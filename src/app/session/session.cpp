@@ -78,6 +78,7 @@ const Scene& Renderer::sceneAt(float time) {
     const Scene& scene = changed_ ? *changed_ : loaded_.scene;
     if (scene.animations.empty()) return scene;
     if (posedTime_ != time) {
+        posedTime_.reset();  // show() may throw
         posed_ = poseScene(scene, time);
         show(posed_);
         posedTime_ = time;
