@@ -130,6 +130,21 @@ TEST_F(CliGpu, DrawsFrames) {
     EXPECT_FALSE(exists("g_3.png") || exists("g_12.png"));
 }
 
+TEST_F(CliGpu, AnimatesNodesFromAnIncludedFile) {
+    write("part.toml",
+          "[[node]]\nname = \"other\"\nshape = \"crate\"\n[[animation]]\nnode = \"other\"\n"
+          "param = \"at\"\nkeys = [[0, [-1, 0, 0]], [3, [-1, 1.5, 0]]]\n");
+    write("s.toml", "[scene]\ninclude = [\"part.toml\"]\n" + std::string(kScene));
+    EXPECT_EQ(draw("f_#.png", {"--frames", "0-3", "--fps", "1"}).code, 0);
+    for (const char* frame : {"0", "2", "3"})
+        EXPECT_EQ(read(std::string("f_") + frame + ".png"), drawn("t.png", {"--time", frame}))
+            << frame;
+    const std::string still = drawn("a.png", {"--time", "2", "--set", "node.other.at=[9,9,9]"});
+    EXPECT_NE(drawn("b.png", {"--time", "2"}), still);
+    write("part.toml", "[[node]]\nname = \"other\"\nshape = \"crate\"\nat = [9, 9, 9]\n");
+    EXPECT_EQ(drawn("c.png", {"--time", "2"}), still) << "what --set gives is not animated";
+}
+
 TEST_F(CliGpu, TheSameBytesEachTime) {
     const std::string first = drawn("x.png", {"--spp", "3", "--seed", "5"});
     EXPECT_EQ(drawn("y.png", {"--spp", "3", "--seed", "5"}), first);

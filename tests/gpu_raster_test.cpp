@@ -48,6 +48,24 @@ TEST_F(RasterTest, ScenesLookTheSame) {
         }
 }
 
+TEST_F(RasterTest, AMovingTankLooksTheSame) {
+    const LoadedScene loaded = lesson("tank", {});
+    for (const float time : {1.9f, 6.4f, 10.3f}) {
+        PictureRequest raster = request(Primary::kRaster), trace = request(Primary::kTrace);
+        raster.time = trace.time = time;
+        const ImageRgba8 picture = test::drawPicture(loaded, Backend::kFragment, raster);
+        EXPECT_LT(compareImages(picture, test::drawPicture(loaded, Backend::kFragment, trace))
+                      .fractionOver,
+                  kMostPixels)
+            << time;
+        trace.time += 0.1f;
+        EXPECT_GT(compareImages(picture, test::drawPicture(loaded, Backend::kFragment, trace))
+                      .fractionOver,
+                  kMostPixels)
+            << "the turret stands still at " << time;
+    }
+}
+
 TEST_F(RasterTest, AShiftOfATenthOfAPixelIsNoticed) {
     const LoadedScene loaded = lesson("lesson-trace", {});
     LoadedScene shifted = loaded;

@@ -17,14 +17,19 @@ Frame::Frame(const Context& context, const PackedScene& scene, Backend backend, 
                counters),
       rasterPossible_(context.info().clipControl),
       maxSide_(context.info().maxTextureSize) {
-    update(scene);
+    context_.scene.upload(scene);
+    use(scene);
 }
 
-void Frame::update(const PackedScene& scene) {
-    context_.scene.upload(scene);
-    context_.block = scene.block;
-    instances_ = scene.instances;
-    fieldRoot_ = scene.fieldRoot;
+void Frame::update(const PackedMoment& moment) {
+    context_.scene.update(moment);
+    use(moment);
+}
+
+void Frame::use(const PackedMoment& moment) {
+    context_.block = moment.block;
+    instances_ = moment.instances;
+    fieldRoot_ = moment.fieldRoot;
 }
 
 void Frame::begin(const FrameRequest& request) {

@@ -42,8 +42,9 @@ class Frame {
     /// `counters`: count rays, nodes and loops; needed by some views and for statistics.
     Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters);
 
-    /// Replaces what can change without new programs: transforms, materials, parameters, lights.
-    void update(const PackedScene& scene);
+    /// Shows another moment of the scene from the next begin() on: transforms, materials,
+    /// parameters, lights, settings.
+    void update(const PackedMoment& moment);
     /// Starts a picture. Throws MachineError if the GPU cannot hold its images.
     void begin(const FrameRequest& request);
     /// Draws one more sample. Throws InputError if a snippet does not compile.
@@ -56,6 +57,7 @@ class Frame {
     [[nodiscard]] double compileSeconds() const { return context_.programs.compileSeconds(); }
 
   private:
+    void use(const PackedMoment& moment);
     void findFirstHits();
     void followPaths();
     void addCounts();

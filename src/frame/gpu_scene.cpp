@@ -14,12 +14,18 @@ TextureArray uploadPages(const TextureAtlas& atlas, bool srgb) {
 }  // namespace
 
 void GpuScene::upload(const PackedScene& scene) {
-    slots.upload(std::as_bytes(std::span(scene.slots)));
+    slots.upload(std::as_bytes(std::span(scene.slots)), scene.upperSlots.size());
     triangles.upload(std::as_bytes(std::span(scene.triangles)));
     vertices.upload(std::as_bytes(std::span(scene.vertices)));
-    tables.upload(std::as_bytes(std::span(scene.tables)));
+    meshSlotTexels = scene.slots.size();
+    update(scene);
     colorPages = uploadPages(scene.textures.color, true);
     dataPages = uploadPages(scene.textures.data, false);
+}
+
+void GpuScene::update(const PackedMoment& moment) {
+    slots.replaceEnd(meshSlotTexels, std::as_bytes(std::span(moment.upperSlots)));
+    tables.upload(std::as_bytes(std::span(moment.tables)));
 }
 
 std::vector<std::pair<std::string, const TexelBuffer*>> GpuScene::bindings() const {

@@ -14,9 +14,12 @@ struct GpuScene {
     TexelBuffer tables{TexelFormat::kRgba32f};
 
     TextureArray colorPages, dataPages;
+    size_t meshSlotTexels = 0;  ///< the trees over the instances come after these
 
     /// Throws MachineError if the GPU cannot hold it.
     void upload(const PackedScene& scene);
+    /// Another moment of the scene that was uploaded: meshes and textures stay where they are.
+    void update(const PackedMoment& moment);
     /// Under the names of shaders/scene/fetch.glsl.
     [[nodiscard]] std::vector<std::pair<std::string, const TexelBuffer*>> bindings() const;
     /// Under the names of shaders/scene/texture.glsl.

@@ -200,6 +200,7 @@ TexelBuffer& TexelBuffer::operator=(TexelBuffer&& other) noexcept {
         release();
         texture_ = std::exchange(other.texture_, 0);
         buffer_ = std::exchange(other.buffer_, 0);
+        size_ = std::exchange(other.size_, 0);
         format_ = other.format_;
     }
     return *this;
@@ -211,22 +212,57 @@ void TexelBuffer::release() {
     texture_ = buffer_ = 0;
 }
 
-void TexelBuffer::upload(std::span<const std::byte> bytes) {
+void TexelBuffer::checkSize(size_t bytes) const {
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    if (bytes / 16 > static_cast<size_t>(limit))
+        throw MachineError(fmt::format(
+            "the scene needs a buffer of {} texels; this driver allows {}", bytes / 16, limit));
+}
+
+void TexelBuffer::attach() {
+    glBindTexture(GL_TEXTURE_BUFFER, texture_);
+    glTexBuffer(GL_TEXTURE_BUFFER, formatInfo(format_).internal, buffer_);
+    checkGl("uploading the scene");
+}
+
+void TexelBuffer::upload(std::span<const std::byte> bytes, size_t spare) {
     static constexpr std::byte kOneTexel[16] = {};
     if (bytes.empty()) bytes = kOneTexel;  // a buffer texture of size 0 is incomplete
     assert(bytes.size() % 16 == 0);
-    GLint limit = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
-    if (bytes.size() / 16 > static_cast<size_t>(limit))
-        throw MachineError(
-            fmt::format("the scene needs a buffer of {} texels; this driver allows {}",
-                        bytes.size() / 16, limit));
+    size_ = bytes.size() + spare * 16;
+    checkSize(size_);
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
-    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
-                 GL_STATIC_DRAW);
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(size_),
+                 spare == 0 ? bytes.data() : nullptr, GL_STATIC_DRAW);
+    if (spare != 0)
+        glBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
     checkGl("uploading the scene");
-    glBindTexture(GL_TEXTURE_BUFFER, texture_);
-    glTexBuffer(GL_TEXTURE_BUFFER, formatInfo(format_).internal, buffer_);
+    attach();
+}
+
+void TexelBuffer::replaceEnd(size_t texels, std::span<const std::byte> bytes) {
+    assert(bytes.size() % 16 == 0);
+    const size_t kept = texels * 16, needed = kept + bytes.size();
+    if (needed > size_) {
+        const size_t roomy = needed + bytes.size() / 4;  // ends differ a little in length
+        checkSize(roomy);
+        unsigned larger = 0;
+        glGenBuffers(1, &larger);
+        glBindBuffer(GL_COPY_WRITE_BUFFER, larger);
+        glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(roomy / 16 * 16), nullptr,
+                     GL_STATIC_DRAW);
+        glBindBuffer(GL_COPY_READ_BUFFER, buffer_);
+        glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                            static_cast<GLsizeiptr>(kept));
+        glDeleteBuffers(1, &buffer_);
+        buffer_ = larger;
+        size_ = roomy / 16 * 16;
+        attach();
+    }
+    glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
+    glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(kept),
+                    static_cast<GLsizeiptr>(bytes.size()), bytes.data());
     checkGl("uploading the scene");
 }
 

@@ -82,12 +82,18 @@ class TexelBuffer {
 
     /// Replaces the content; `bytes` is a whole number of 16-byte texels. Throws MachineError if
     /// it is more than the driver can address.
-    void upload(std::span<const std::byte> bytes);
+    /// `spare` texels more are allocated, for replaceEnd().
+    void upload(std::span<const std::byte> bytes, size_t spare = 0);
+    /// Replaces what follows the first `texels`; those stay as they are, on the GPU.
+    void replaceEnd(size_t texels, std::span<const std::byte> bytes);
     [[nodiscard]] unsigned id() const { return texture_; }
 
   private:
     void release();
+    void checkSize(size_t bytes) const;
+    void attach();
     unsigned texture_ = 0, buffer_ = 0;
+    size_t size_ = 0;  ///< allocated bytes
     TexelFormat format_ = TexelFormat::kRgba32f;
 };
 

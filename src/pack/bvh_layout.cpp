@@ -83,7 +83,10 @@ uint32_t BvhLayout::add(const Bvh& bvh, int& stackBound, const WriteItem& writeI
     const std::vector<WideNode> wide = collapse4(bvh);
     stackBound = std::max(stackBound, wideStackBound(wide));
     const auto slotCount = [&] {
-        return static_cast<uint32_t>(texels_.size() / VITRINE_SLOT_TEXELS);
+        return firstSlot_ + static_cast<uint32_t>(texels_.size() / VITRINE_SLOT_TEXELS);
+    };
+    const auto texelsOf = [&](uint32_t slot) {
+        return texels_.begin() + (slot - firstSlot_) * VITRINE_SLOT_TEXELS;
     };
     const auto root = slotCount();
     texels_.resize(texels_.size() + VITRINE_SLOT_TEXELS);
@@ -114,12 +117,11 @@ uint32_t BvhLayout::add(const Bvh& bvh, int& stackBound, const WriteItem& writeI
             const WideChild& child = node.children[i];
             for (uint32_t k = 0; child.leaf && k < child.count; ++k) {
                 const auto item = writeItem(bvh.items[child.first + k], k + 1 == child.count);
-                std::copy(item.begin(), item.end(),
-                          texels_.begin() + (block + offset + k) * VITRINE_SLOT_TEXELS);
+                std::copy(item.begin(), item.end(), texelsOf(block + offset + k));
             }
             offset += child.leaf ? child.count : 1;
         }
-        glm::uvec4* texel = &texels_[slot * VITRINE_SLOT_TEXELS];
+        const auto texel = texelsOf(slot);
         texel[0] = {bitsOf(q.origin), q.exponents.x | q.exponents.y << 8 | q.exponents.z << 16};
         texel[1] = {q.low.x, q.high.x, q.low.y, q.high.y};
         texel[2] = {q.low.z, q.high.z, block, entries};

@@ -16,6 +16,9 @@ namespace vitrine {
 
 class BvhLayout {
   public:
+    /// The first slot's address: the number of slots that lie before these.
+    explicit BvhLayout(uint32_t firstSlot = 0) : firstSlot_(firstSlot) {}
+
     /// Appends the tree of a mesh. Returns its root slot.
     uint32_t addMesh(const Bvh& bvh, std::span<const glm::vec3> positions,
                      std::span<const glm::uvec3> triangles);
@@ -32,6 +35,7 @@ class BvhLayout {
     template <class WriteItem>
     uint32_t add(const Bvh& bvh, int& stackBound, const WriteItem& writeItem);
 
+    uint32_t firstSlot_;
     std::vector<glm::uvec4> texels_;
     int meshStack_ = 0, instanceStack_ = 0;
 };

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "base/text.hpp"
 #include "bvh/build.hpp"
 #include "bvh/instance.hpp"
+#include "pack/check_animations.hpp"
 #include "pack/parameters.hpp"
 
 namespace vitrine {
@@ -43,15 +43,14 @@ glm::vec4 texel(int x, int y = 0, int z = 0, int w = 0) {
             static_cast<float>(w)};
 }
 
-/// Builds the arrays in the order in which they depend on each other.
+/// Builds the arrays of a moment in the order in which they depend on each other.
 class Packer {
   public:
-    Packer(const Scene& scene, const Assets& assets, Diagnostics& diagnostics)
-        : scene_(scene), assets_(assets), diagnostics_(diagnostics) {}
+    Packer(const Scene& scene, const Assets& assets, const PackedGeometry& geometry,
+           Diagnostics& diagnostics)
+        : scene_(scene), assets_(assets), geometry_(geometry), diagnostics_(diagnostics) {}
 
-    PackedScene pack() {
-        collectSnippets();
-        out_.textures = packMaterialTextures(scene_, assets_);
+    PackedMoment pack() {
         packMaterials();
         packLights();
         packInstances();
@@ -61,30 +60,10 @@ class Packer {
     }
 
   private:
-    struct PackedMesh {
-        uint32_t root;
-        int firstTriangle;
-    };
-
-    void collectSnippets() {
-        for (const auto& field : assets_.fields)
-            if (field != nullptr) fieldNumber(field);
-        for (const auto& snippet : assets_.materials)
-            if (snippet != nullptr) materialNumber(snippet);
-        out_.shaders = generateShaders(fields_, materialSnippets_);
-    }
-
-    /// The same file used twice is one field.
-    static int number(std::vector<std::shared_ptr<const Snippet>>& list,
+    /// Of a snippet that is there.
+    static int number(const std::vector<std::shared_ptr<const Snippet>>& list,
                       const std::shared_ptr<const Snippet>& snippet) {
-        const auto found = std::find(list.begin(), list.end(), snippet);
-        if (found != list.end()) return static_cast<int>(found - list.begin());
-        list.push_back(snippet);
-        return static_cast<int>(list.size()) - 1;
-    }
-    int fieldNumber(const std::shared_ptr<const Snippet>& s) { return number(fields_, s); }
-    int materialNumber(const std::shared_ptr<const Snippet>& s) {
-        return 1 + number(materialSnippets_, s);
+        return static_cast<int>(std::find(list.begin(), list.end(), snippet) - list.begin());
     }
 
     int addParameters(const std::vector<glm::vec4>& values) {
@@ -97,14 +76,14 @@ class Packer {
         for (size_t i = 0; i < scene_.materials.size(); ++i) {
             int snippet = 0, parameters = 0;
             if (const auto& asset = assets_.materials[i]) {
-                snippet = materialNumber(asset);
+                snippet = 1 + number(geometry_.materialSnippets, asset);
                 parameters =
                     addParameters(parameterValues(*asset, scene_.materials[i].set, diagnostics_));
             } else if (!scene_.materials[i].set.empty() && scene_.materials[i].snippet.empty()) {
                 diagnostics_.error(scene_.materials[i].set[0].where,
                                    "set gives parameters to a snippet, but the material has none");
             }
-            addMaterial(scene_.materials[i], snippet, parameters, out_.textures.slots[i]);
+            addMaterial(scene_.materials[i], snippet, parameters, geometry_.textures.slots[i]);
         }
         addMaterial(Material{}, 0, 0, {});  // for nodes that name none
         out_.materialNames.back() = "(default)";
@@ -148,23 +127,6 @@ class Packer {
             lights_.emplace_back(std::cos(glm::radians(light.innerAngle)),
                                  std::cos(glm::radians(light.outerAngle)), 0.0f, 0.0f);
         }
-    }
-
-    const PackedMesh& packMesh(const std::shared_ptr<const MeshAsset>& asset) {
-        const auto known = meshes_.find(asset.get());
-        if (known != meshes_.end()) return known->second;
-        const Mesh& mesh = asset->mesh;
-        const auto firstVertex =
-            static_cast<uint32_t>(out_.vertices.size() / VITRINE_VERTEX_TEXELS);
-        const auto firstTriangle = static_cast<int>(out_.triangles.size());
-        for (size_t i = 0; i < mesh.positions.size(); ++i) {
-            out_.vertices.emplace_back(mesh.positions[i], mesh.uvs[i].x);
-            out_.vertices.emplace_back(mesh.normals[i], mesh.uvs[i].y);
-        }
-        for (size_t i = 0; i < mesh.triangles.size(); ++i)
-            out_.triangles.emplace_back(mesh.triangles[i] + firstVertex, mesh.triangleParts[i]);
-        const uint32_t root = layout_.addMesh(asset->bvh, mesh.positions, mesh.triangles);
-        return meshes_[asset.get()] = {root, firstTriangle};
     }
 
     /// First texel, in the lists, of the materials of a node's parts.
@@ -219,12 +181,12 @@ class Packer {
                                 node.name));
                 continue;
             }
-            addInstance(node, world[i], mesh, field);
+            addInstance(node, world[i], static_cast<size_t>(shape));
         }
         out_.block.counts.z = addUpperLevel(false);
-        out_.fieldRoot = out_.hasMeshes ? addUpperLevel(true) : out_.block.counts.z;
-        out_.slots = layout_.texels();
-        out_.stackBound = layout_.stackBound();
+        out_.fieldRoot = geometry_.hasMeshes ? addUpperLevel(true) : out_.block.counts.z;
+        out_.upperSlots = layout_.texels();
+        out_.stackBound = geometry_.meshStack + layout_.stackBound();
         if (out_.stackBound > VITRINE_STACK_SIZE)
             diagnostics_.error(
                 {scene_.file},
@@ -248,29 +210,27 @@ class Packer {
         return static_cast<int>(layout_.addInstances(buildBvh(boxes, options), numbers));
     }
 
-    void addInstance(const Node& node, const glm::mat4& worldFromObject,
-                     const std::shared_ptr<const MeshAsset>& mesh,
-                     const std::shared_ptr<const Snippet>& field) {
+    void addInstance(const Node& node, const glm::mat4& worldFromObject, size_t shape) {
+        const auto& mesh = assets_.meshes[shape];
+        const auto& field = assets_.fields[shape];
         const Aabb box = mesh != nullptr ? mesh->bvh.box() : *field->bounds;
         float stepScale = 1, precision = 0;
         int firstTriangle = 0;
         glm::vec4 indices;
         if (mesh != nullptr) {
-            const PackedMesh& packed = packMesh(mesh);
+            const PackedMesh& packed = geometry_.meshes[shape];
             firstTriangle = packed.firstTriangle;
             indices = texel(VITRINE_KIND_MESH, static_cast<int>(packed.root),
                             packPartMaterials(node, mesh->mesh.partNames), firstTriangle);
-            out_.hasMeshes = true;
             out_.triangleCount += mesh->mesh.triangles.size();
         } else {
             const int parameters = addParameters(parameterValues(*field, node.set, diagnostics_));
-            indices = texel(VITRINE_KIND_FIELD, fieldNumber(field),
+            indices = texel(VITRINE_KIND_FIELD, number(geometry_.fieldSnippets, field),
                             packPartMaterials(node, partNamesOf(*field)), parameters);
             stepScale = 1 / field->lipschitz.value_or(1.0f);
             // What the float arithmetic of a field of this size cannot tell from zero.
             const glm::vec3 size = glm::max(glm::abs(box.min), glm::abs(box.max));
             precision = 4e-6f * std::max(size.x, std::max(size.y, size.z));
-            out_.hasFields = true;
         }
         for (const glm::vec4& row : rowsOf(glm::inverse(worldFromObject)))
             instances_.push_back(row);
@@ -293,7 +253,8 @@ class Packer {
             out_.tables.insert(out_.tables.end(), part.begin(), part.end());
             return first;
         };
-        (void)append(out_.textures.table);  // first: its addresses count from the beginning
+        (void)append(geometry_.textures.table);  // first: its addresses count from the beginning
+        writeStrengths(scene_, geometry_.textures, out_.tables);
         const int lists = append(materialLists_);
         for (size_t i = 6; i < instances_.size(); i += VITRINE_INSTANCE_TEXELS)
             instances_[i].z += static_cast<float>(lists);
@@ -303,8 +264,8 @@ class Packer {
         out_.block.tables.w = append(parameters_);
         // Indices travel as floats, which are exact up to here.
         constexpr size_t kLargestIndex = 1u << 24;
-        if (std::max({out_.slots.size() / VITRINE_SLOT_TEXELS, out_.triangles.size(),
-                      out_.tables.size()}) > kLargestIndex)
+        if (std::max({(geometry_.slots.size() + out_.upperSlots.size()) / VITRINE_SLOT_TEXELS,
+                      geometry_.triangles.size(), out_.tables.size()}) > kLargestIndex)
             diagnostics_.error({scene_.file},
                                "the scene is too large: more than 16 million triangles");
     }
@@ -328,18 +289,26 @@ class Packer {
 
     const Scene& scene_;
     const Assets& assets_;
+    const PackedGeometry& geometry_;
     Diagnostics& diagnostics_;
-    PackedScene out_;
-    BvhLayout layout_;
-    std::vector<std::shared_ptr<const Snippet>> fields_, materialSnippets_;
-    std::map<const MeshAsset*, PackedMesh> meshes_;
+    PackedMoment out_;
+    BvhLayout layout_{static_cast<uint32_t>(geometry_.slots.size() / VITRINE_SLOT_TEXELS)};
     std::vector<glm::vec4> instances_, materials_, lights_, parameters_, materialLists_;
 };
 
 }  // namespace
 
+PackedMoment packMoment(const Scene& scene, const Assets& assets, const PackedGeometry& geometry,
+                        Diagnostics& diagnostics) {
+    return Packer(scene, assets, geometry, diagnostics).pack();
+}
+
 PackedScene packScene(const Scene& scene, const Assets& assets, Diagnostics& diagnostics) {
-    return Packer(scene, assets, diagnostics).pack();
+    PackedScene packed;
+    static_cast<PackedGeometry&>(packed) = packGeometry(scene, assets);
+    static_cast<PackedMoment&>(packed) = packMoment(scene, assets, packed, diagnostics);
+    checkAnimations(scene, assets, diagnostics);
+    return packed;
 }
 
 }  // namespace vitrine

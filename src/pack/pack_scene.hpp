@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A scene as flat arrays in the layout that shaders read, and the GLSL it adds. No GL in here.
+// Meshes and textures are packed once; what moves is packed again for every moment.
 #pragma once
 
 #include <vector>
@@ -8,8 +9,7 @@
 #include "pack/assets.hpp"
 #include "pack/bvh_layout.hpp"
 #include "pack/frame_block.hpp"
-#include "pack/generate.hpp"
-#include "pack/pack_textures.hpp"
+#include "pack/pack_geometry.hpp"
 
 namespace vitrine {
 
@@ -24,16 +24,13 @@ struct PackedInstance {
     std::shared_ptr<const MeshAsset> mesh;  ///< null: a field
 };
 
-struct PackedScene {
-    std::vector<glm::uvec4> slots;
-    std::vector<glm::uvec4> triangles;
-    std::vector<glm::vec4> vertices;
+/// What changes with time, and what a hand on a slider changes: all that is cheap to make again.
+struct PackedMoment {
+    /// The trees over the instances; addresses count on from PackedGeometry::slots.
+    std::vector<glm::uvec4> upperSlots;
     std::vector<glm::vec4> tables;
-    GeneratedShaders shaders;
     /// Everything but the camera, the sample and the view.
     FrameBlock block{};
-    bool hasMeshes = false, hasFields = false;
-    PackedTextures textures;
 
     std::vector<PackedInstance> instances;
     std::vector<std::string> materialNames;
@@ -43,7 +40,14 @@ struct PackedScene {
     size_t triangleCount = 0;  ///< instances counted each
 };
 
+struct PackedScene : PackedGeometry, PackedMoment {};
+
 /// Errors found on the way (parts without a name, parameters out of range) go to `diagnostics`.
 PackedScene packScene(const Scene& scene, const Assets& assets, Diagnostics& diagnostics);
+
+/// The same scene again, after its animations (pose.hpp) or its user have changed nodes, materials,
+/// lights or settings. `geometry` was packed for the same shapes, textures and snippets.
+PackedMoment packMoment(const Scene& scene, const Assets& assets, const PackedGeometry& geometry,
+                        Diagnostics& diagnostics);
 
 }  // namespace vitrine

@@ -32,6 +32,9 @@ class RequestList {
     std::vector<TextureRequest> list;
 };
 
+/// Of one use of a picture by a material, in the table.
+constexpr int kUseTexels = 3;
+
 template <class... T>
 glm::vec4 texel(T... values) {
     return {static_cast<float>(values)...};
@@ -96,6 +99,15 @@ PackedTextures packMaterialTextures(const Scene& scene, const Assets& assets) {
         }
     }
     return packed;
+}
+
+void writeStrengths(const Scene& scene, const PackedTextures& textures,
+                    std::span<glm::vec4> table) {
+    for (size_t i = 0; i < scene.materials.size(); ++i)
+        for (int k = 0; k < textures.slots[i].count; ++k) {
+            glm::vec4& use = table[static_cast<size_t>(textures.slots[i].first + kUseTexels * k)];
+            use.w = strengthOf(scene.materials[i], static_cast<int>(use.x));
+        }
 }
 
 }  // namespace vitrine

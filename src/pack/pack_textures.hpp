@@ -3,6 +3,7 @@
 // (shaders/scene/texture.glsl, shaders/shade/textures.glsl).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "pack/assets.hpp"
@@ -22,5 +23,8 @@ struct PackedTextures {
 };
 
 PackedTextures packMaterialTextures(const Scene& scene, const Assets& assets);
+
+/// Into a copy of the table: how strongly textures work, which may change with time.
+void writeStrengths(const Scene& scene, const PackedTextures& textures, std::span<glm::vec4> table);
 
 }  // namespace vitrine

@@ -17,24 +17,6 @@ SourceLocation place(const toml::source_region& source) {
     return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-bool isNamedSection(std::string_view section) {
-    return section == "material" || section == "shape";
-}
-
-bool isListSection(std::string_view section) {
-    return section == "camera" || section == "light" || section == "node";
-}
-
-std::vector<std::string> splitKey(std::string_view key) {
-    std::vector<std::string> words;
-    while (true) {
-        const size_t dot = key.find('.');
-        words.emplace_back(trim(key.substr(0, dot)));
-        if (dot == std::string_view::npos) return words;
-        key = key.substr(dot + 1);
-    }
-}
-
 void replace(std::string& text, std::string_view what, std::string_view with) {
     if (const size_t at = text.find(what); at != std::string::npos)
         text.replace(at, what.size(), with);
@@ -115,9 +97,28 @@ std::vector<toml::table*> findTargets(toml::table& document, const std::vector<s
 }  // namespace
 
 const std::vector<std::string>& sectionNames() {
-    static const std::vector<std::string> names{
-        "scene", "render", "bvh", "camera", "environment", "light", "material", "shape", "node"};
+    static const std::vector<std::string> names{"scene",       "render",   "bvh",      "camera",
+                                                "environment", "light",    "material", "shape",
+                                                "node",        "animation"};
     return names;
+}
+
+bool isListSection(std::string_view section) {
+    return section == "camera" || section == "light" || section == "node" || section == "animation";
+}
+
+bool isNamedSection(std::string_view section) {
+    return section == "material" || section == "shape";
+}
+
+std::vector<std::string> splitKey(std::string_view key) {
+    std::vector<std::string> words;
+    while (true) {
+        const size_t dot = key.find('.');
+        words.emplace_back(trim(key.substr(0, dot)));
+        if (dot == std::string_view::npos) return words;
+        key = key.substr(dot + 1);
+    }
 }
 
 std::string printable(std::string text) {

@@ -20,6 +20,14 @@ inline constexpr size_t kMaxSceneLine = 4096;
 /// [scene], [[camera]] and so on.
 const std::vector<std::string>& sectionNames();
 
+/// [[camera]]: several, in order.
+bool isListSection(std::string_view section);
+/// [material.NAME]
+bool isNamedSection(std::string_view section);
+
+/// The words between the dots of a `--set` key, without blanks around them.
+std::vector<std::string> splitKey(std::string_view key);
+
 /// For a message: names and values may hold line ends and worse.
 std::string printable(std::string text);
 

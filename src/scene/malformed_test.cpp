@@ -215,9 +215,9 @@ INSTANTIATE_TEST_SUITE_P(
              "\"b\"\n[[node]]\nname = \"b\"\nparent = \"a\"\n",
              "t:9:10: error: node 'b' is its own ancestor"},
         Case{"TwoNodesOfOneName", "[[node]]\nname = \"a\"\n[[node]]\nname = \"a\"\n",
-             "t:3:1: error: two nodes are named 'a'"},
+             "t:3:1: error: two nodes are named 'a'; the other is at t:1:1"},
         Case{"TwoCamerasOfOneName", "[[camera]]\nname = \"a\"\n[[camera]]\nname = \"a\"\n",
-             "t:3:1: error: two cameras are named 'a'"},
+             "t:3:1: error: two cameras are named 'a'; the other is at t:1:1"},
         Case{"MaterialOfNothing",
              "[material.gold]\n[[node]]\nmaterial = \"gold\"\nset = { a = 1 }\n",
              "t:3:12: error: material has no effect: the node has no shape\n"
@@ -249,6 +249,16 @@ name = "n"
 shape = "b"
 material = "a"
 parts = { "lid" = "a" }
+[[animation]]
+name = "turn"
+node = "n"
+param = "rotate"
+keys = [[0, [0, 0, 0]], [1.5, [0, 90, 0]]]
+ease = "smooth"
+loop = "repeat"
+[[animation]]
+param = "render.exposure"
+keys = [[1, 0]]
 )";
 
 /// Whatever happens to a scene, there are only diagnostics, and each is on a line of it.
@@ -297,6 +307,11 @@ TEST(MalformedScene, AMegabyteOfMistakesTakesNoTime) {
             text += next;
         }
     };
+    // Nine thousand keys for each of eighty thousand lights.
+    std::string everyLight = "[[animation]]\nparam='light.range'\nkeys=[\n";
+    for (int i = 0; i < 9000; ++i) everyLight += "[" + std::to_string(i) + ",1],\n";
+    everyLight += "]\n";
+    for (int i = 0; i < 80000; ++i) everyLight += "[[light]]\n";
     const std::string scenes[] = {
         fill([](const std::string& i) {
             return "[[node]]\nname='" + i + "'\nparent='x" + i + "'\n";
@@ -306,6 +321,17 @@ TEST(MalformedScene, AMegabyteOfMistakesTakesNoTime) {
             return "[shape.s" + i + "]\n[[node]]\nshape='t" + i + "'\n";
         }),
         fill([](const std::string& i) { return "[x" + i + "]\n"; }),
+        fill([](const std::string& i) {
+            return "[[node]]\nname='" + i + "'\n[[animation]]\nnode='x" + i +
+                   "'\nparam='at'\nkeys=[[0,[0,0,0]]]\n";
+        }),
+        fill([](const std::string&) {
+            return "[[light]]\n[[animation]]\nparam='light.range'\nkeys=[[0,1]]\n";
+        }),
+        fill([](const std::string&) {
+            return "[[light]]\n[[animation]]\nparam='light.rang'\nkeys=[[0,1]]\n";
+        }),
+        everyLight,
         "[[camera]]\neye = [\n" + fill([](const std::string&) { return "1,\n"; }).substr(30) +
             "]\n"};
     for (const std::string& scene : scenes) {

@@ -21,6 +21,11 @@ std::vector<std::string> channelNames() {
     return {"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a"};
 }
 
+/// In the order of Ease.
+std::vector<std::string> easeNames() {
+    return {"linear", "step", "smooth", "smoother", "in", "out"};
+}
+
 }  // namespace
 
 const OptionTable<Scene>& sceneOptions() {
@@ -174,15 +179,16 @@ const OptionTable<Material>& materialOptions() {
         {"sheen_roughness", &M::sheenRoughness, kUnit, "of the cloth's fibres"},
         {"sheen_roughness_texture", TextureMember<M>{&M::sheenRoughnessTexture}, kNone,
          "picture whose alpha multiplies sheen_roughness"},
-        {"snippet", &M::snippet, kNone, "NAME.mat.glsl with `void material(inout Surface s)`"},
+        {"snippet", FileMember<M>{&M::snippet}, kNone,
+         "NAME.mat.glsl with `void material(inout Surface s)`"},
     };
     return table;
 }
 
 const OptionTable<Shape>& shapeOptions() {
     static const OptionTable<Shape> table{
-        {"sdf", &Shape::sdf, kNone, "NAME.sdf.glsl with `float sdf(vec3 p)`"},
-        {"mesh", &Shape::mesh, kNone, "NAME.obj"},
+        {"sdf", FileMember<Shape>{&Shape::sdf}, kNone, "NAME.sdf.glsl with `float sdf(vec3 p)`"},
+        {"mesh", FileMember<Shape>{&Shape::mesh}, kNone, "NAME.obj"},
     };
     return table;
 }
@@ -229,6 +235,24 @@ const OptionTable<Node>& nodeOptions() {
         {"rotate", &Node::rotate, kAnyNumber, "degrees about x, then y, then z"},
         {"scale", ScaleMember<Node>{&Node::scale}, kAnyNumber, "one factor, or one an axis"},
         {"visible", &Node::visible, kNone, "false hides it from every ray"},
+    };
+    return table;
+}
+
+const OptionTable<AnimationEntry>& animationOptions() {
+    using A = AnimationEntry;
+    static const OptionTable<A> table{
+        {"name", &A::name, kNone, "for `--set animation.NAME.key=value`"},
+        {"node", &A::node, kNone, "what moves: a node, a camera, a light or a material"},
+        {"camera", &A::camera, kNone, "the same"},
+        {"light", &A::light, kNone, "the same"},
+        {"material", &A::material, kNone, "the same"},
+        {"param", &A::param, kNone, "the key of it that changes, as in `--set`"},
+        {"ease", choice<A>(easeNames(), &A::ease), kNone,
+         "how it goes from key to key: evenly, in jumps, slowly at both ends, at the first, at the "
+         "second"},
+        {"loop", choice<A>({"none", "repeat", "mirror"}, &A::loop), kNone,
+         "after the last key: stay, begin again, go back and forth"},
     };
     return table;
 }

@@ -26,6 +26,12 @@ struct ScaleMember {
     glm::vec3 T::*member;
 };
 
+/// The name of a file, relative to the file that it is written in.
+template <class T>
+struct FileMember {
+    Reference T::*member;
+};
+
 /// The file of a texture.
 template <class T>
 struct TextureMember {
@@ -35,7 +41,7 @@ struct TextureMember {
 template <class T>
 using OptionMember =
     std::variant<float T::*, int T::*, bool T::*, glm::vec3 T::*, Color T::*, std::string T::*,
-                 Reference T::*, ScaleMember<T>, TextureMember<T>, ChoiceMember<T>>;
+                 Reference T::*, ScaleMember<T>, FileMember<T>, TextureMember<T>, ChoiceMember<T>>;
 
 /// Inclusive; what lies outside is an error.
 struct Range {
@@ -54,6 +60,14 @@ struct Option {
 template <class T>
 using OptionTable = std::vector<Option<T>>;
 
+/// An [[animation]] as it is written, but for its keys.
+struct AnimationEntry {
+    std::string name;
+    Reference node, camera, light, material, param;
+    Ease ease = Ease::kLinear;
+    LoopMode loop = LoopMode::kNone;
+};
+
 const OptionTable<RenderSettings>& renderOptions();
 const OptionTable<TreeSettings>& bvhOptions();
 const OptionTable<Camera>& cameraOptions();
@@ -67,6 +81,7 @@ const OptionTable<PlaneShape>& planeOptions();
 const OptionTable<TorusShape>& torusOptions();
 const OptionTable<CylinderShape>& cylinderOptions();
 const OptionTable<Node>& nodeOptions();
+const OptionTable<AnimationEntry>& animationOptions();
 const OptionTable<Scene>& sceneOptions();
 
 /// The reference of the scene format in Markdown, made from the tables (docs/scene-format.md).

@@ -29,6 +29,8 @@ std::string valueOf(const Option<T>& option, const T& object) {
             return textOf(object.*member);
         else if constexpr (std::is_same_v<M, ScaleMember<T>>)
             return textOf(object.*member.member);
+        else if constexpr (std::is_same_v<M, FileMember<T>>)
+            return fmt::format("\"{}\"", (object.*member.member).name);
         else if constexpr (std::is_same_v<M, TextureMember<T>>)
             return fmt::format("\"{}\"", (object.*member.member).file.name);
         else if constexpr (std::is_same_v<M, ChoiceMember<T>>)
@@ -66,6 +68,7 @@ std::string otherValue(const Option<T>& option) {
             const bool first = usual == fmt::format("\"{}\"", member.words[0]);
             return fmt::format("\"{}\"", member.words[first ? 1 : 0]);
         } else if constexpr (std::is_same_v<M, Reference T::*> ||
+                             std::is_same_v<M, FileMember<T>> ||
                              std::is_same_v<M, TextureMember<T>>) {
             return "\"other\"";
         } else if constexpr (std::is_same_v<M, std::string T::*>) {

@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "base/file.hpp"
+#include "scene/animations.hpp"
+#include "scene/include.hpp"
 #include "scene/references.hpp"
 #include "scene/values.hpp"
 
@@ -16,14 +18,15 @@ namespace {
 /// Walks the document section by section into the scene.
 class SceneParser {
   public:
-    SceneParser(Scene& scene, Diagnostics& diagnostics)
-        : scene_(scene), diagnostics_(diagnostics) {}
+    SceneParser(Scene& scene, const std::vector<std::string>& overrides, const IncludedFiles& files,
+                Diagnostics& diagnostics)
+        : scene_(scene), overrides_(overrides), files_(files), diagnostics_(diagnostics) {}
 
     void parse(const toml::table& document) {
         for (const auto& [key, node] : document) {
             const std::string section(key.str());
             if (section == "scene")
-                single(node, section, sceneOptions(), scene_);
+                about(node);
             else if (section == "render")
                 single(node, section, renderOptions(), scene_.render);
             else if (section == "bvh")
@@ -36,6 +39,8 @@ class SceneParser {
                 list(node, section, [&](const toml::table& t) { light(t); });
             else if (section == "node")
                 list(node, section, [&](const toml::table& t) { this->node(t); });
+            else if (section == "animation")
+                list(node, section, [](const toml::table&) {});  // below: they need all the rest
             else if (section == "material")
                 named(node, section,
                       [&](const std::string& n, const toml::table& t) { material(n, t); });
@@ -54,6 +59,8 @@ class SceneParser {
                                                didYouMean(section, sectionNames())));
         }
         checkReferences(scene_, diagnostics_);
+        if (const toml::array* animations = document["animation"].as_array())
+            readAnimations(*animations, overrides_, scene_, diagnostics_);
     }
 
   private:
@@ -109,6 +116,14 @@ class SceneParser {
         }
     }
 
+    void about(const toml::node& node) {
+        single(node, "scene", sceneOptions(), scene_, {"include"});
+        const toml::table* table = node.as_table();
+        const toml::node* include = table != nullptr ? table->get("include") : nullptr;
+        if (include != nullptr && placeOf(*include).line == 0)
+            diagnostics_.error(placeOf(*include), "what is included stands in the scene");
+    }
+
     void environment(const toml::node& node) {
         single(node, "environment", environmentOptions(), scene_.environment, {"sky"});
         const toml::table* table = node.as_table();
@@ -133,14 +148,9 @@ class SceneParser {
                                "give fov or focal_length, not both");
         if (camera.fov == 0 && camera.focalLength == 0)
             camera.focalLength = Camera::kDefaultFocalLength;
-        const glm::vec3 forward = camera.target - camera.eye;
-        if (glm::length(forward) < 1e-6f)
-            diagnostics_.error(camera.where, "the camera's eye and target are the same point");
-        else if (glm::length(camera.up) < 1e-6f)
-            diagnostics_.error(placeOf(*table.get("up")), "up has no length");
-        else if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(camera.up))) <
-                 1e-6f)
-            diagnostics_.error(camera.where, "the camera looks along its up direction");
+        if (const std::string problem = problemOf(camera); !problem.empty())
+            diagnostics_.error(
+                glm::length(camera.up) < 1e-6f ? placeOf(*table.get("up")) : camera.where, problem);
         scene_.cameras.push_back(camera);
     }
 
@@ -175,6 +185,7 @@ class SceneParser {
                   diagnostics_);
         if (const toml::node* set = table.get("set"))
             readParameters(*set, "set", material.set, diagnostics_);
+        relocate(materialOptions(), material);
         scene_.materials.push_back(material);
     }
 
@@ -202,6 +213,7 @@ class SceneParser {
             diagnostics_.error(
                 shape.where, fmt::format("shape '{}' must have exactly one of sdf, mesh, {}", name,
                                          fmt::join(kBuiltIn, ", ")));
+        relocate(shapeOptions(), shape);
         scene_.shapes.push_back(shape);
     }
 
@@ -252,7 +264,23 @@ class SceneParser {
         }
     }
 
+    /// Names of files that stand in an included one become relative to the scene's folder.
+    template <class T>
+    void relocate(const OptionTable<T>& options, T& object) {
+        for (const Option<T>& option : options) {
+            Reference* file = nullptr;
+            if (const auto* m = std::get_if<FileMember<T>>(&option.member))
+                file = &(object.*m->member);
+            if (const auto* m = std::get_if<TextureMember<T>>(&option.member))
+                file = &(object.*m->member).file;
+            if (file != nullptr && !file->empty())
+                file->name = files_.fromSceneFolder(file->name, file->where);
+        }
+    }
+
     Scene& scene_;
+    const std::vector<std::string>& overrides_;
+    const IncludedFiles& files_;
     Diagnostics& diagnostics_;
 };
 
@@ -263,21 +291,25 @@ Scene parseScene(std::string_view text, const std::string& file,
     Scene scene;
     scene.file = file;
     scene.folder = std::filesystem::path(file).parent_path();
-    std::optional<toml::table> document = parseDocument(text, file, diagnostics);
-    if (!document) return scene;
-    for (const std::string& assignment : overrides)
-        applyOverride(*document, assignment, diagnostics);
-    // The document gives its keys by the alphabet; people read errors from the top of the file.
+    IncludedFiles files(scene.folder);
     Diagnostics found;
-    SceneParser(scene, found).parse(*document);
+    std::optional<toml::table> document = files.load(text, file, found);
+    if (document) {
+        for (const std::string& assignment : overrides) applyOverride(*document, assignment, found);
+        SceneParser(scene, overrides, files, found).parse(*document);
+    }
+    // The document gives its keys by the alphabet; people read errors from the top of the file.
     std::vector<Diagnostic> sorted = found.list();
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
-        return std::tie(a.where.line, a.where.column) < std::tie(b.where.line, b.where.column);
-    });
+    const auto place = [&](const Diagnostic& d) {
+        return std::tuple(files.rank(d.where.file), d.where.line, d.where.column);
+    };
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });
     for (Diagnostic& diagnostic : sorted) {
         diagnostic.message = printable(diagnostic.message);
         diagnostics.add(std::move(diagnostic));
     }
+    if (!document) return scene;
     if (scene.cameras.empty()) {
         Camera camera;
         camera.name = "default";

@@ -28,6 +28,7 @@ struct Describe {
     Texts operator()(Color T::*m) const { return {"colour", vector((defaults.*m).rgb)}; }
     Texts operator()(std::string T::*) const { return {"text", ""}; }
     Texts operator()(Reference T::*) const { return {"name", ""}; }
+    Texts operator()(const FileMember<T>&) const { return {"file", ""}; }
     Texts operator()(const TextureMember<T>&) const { return {"file", ""}; }
     Texts operator()(const ScaleMember<T>& m) const {
         return {"number or `[x, y, z]`", vector(defaults.*m.member)};
@@ -82,7 +83,8 @@ shape = "ball"
 
 - Metres, seconds, degrees; +Y is up; right-handed.
 - A colour is linear, `[r, g, b]`, or sRGB, `"#rrggbb"`.
-- Names of files are relative to the scene's folder and may not lead out of it.
+- Names of files are relative to the file that they stand in and may not lead out of the scene's
+  folder.
 - A name in double brackets, `[[node]]`, may be given several times. Nothing has to be given at all.
 - A key or section that is not listed here is an error, and so is a value out of its range.
 
@@ -97,8 +99,49 @@ Every key can also be given on the command line. What is no TOML value is taken 
 --set node.NAME.at=[0,1,0]          --set node.NAME.set.PARAMETER=0.5
 ```
 
+A value given so stays as it is, even if an animation of the scene would change it.
+
 This page is generated from the tables that the parser reads (`src/scene/options.cpp`), and a test
 compares them.
+)";
+
+constexpr const char* kIncludes = R"(
+`include = ["parts/hall.toml", ...]` adds other scene files: their cameras, lights, materials,
+shapes, nodes and animations, after the scene's own. Their `[render]` and `[environment]` hold where
+the including file is silent (`[environment]` as a whole), their title and description are not used.
+An included file lies in the scene's folder or below, may include others, up to 16 deep, and is taken
+once, however often it is named. Two objects of one kind may not have the same name.
+)";
+
+constexpr const char* kAnimations = R"(
+`keys = [[TIME, VALUE], ...]` says what the value is when: times in seconds, each larger than the one
+before; values as the key itself takes them. In between, numbers, vectors and colours go straight
+from key to key, `rotate` angle by angle; `true` and `false` jump. Before the first key the first
+value holds.
+
+```toml
+[[animation]]                       # the turret looks left and comes back, for ever
+node = "turret"
+param = "rotate"
+keys = [[0, [0, -20, 0]], [4, [0, 35, 0]]]
+ease = "smooth"
+loop = "mirror"
+
+[[animation]]                       # a parameter of the node's distance field
+node = "ball"
+param = "set.morph"
+keys = [[0, 0.0], [2, 1.0]]
+
+[[animation]]                       # the whole path of `--set` instead of an object and its key
+param = "render.exposure"
+keys = [[0, -8], [1.5, 0]]
+ease = "out"
+```
+
+Everything can change that is a number, a vector, a colour or true or false, of nodes, cameras, lights,
+materials, `render` and `environment`; whole numbers and the sizes of shapes cannot (a node's `scale`
+can). A node whose scale comes to 0 is not there. `loop = "repeat"` takes the last key for the first
+one of the next round.
 )";
 
 }  // namespace
@@ -107,6 +150,7 @@ std::string sceneFormatReference() {
     std::ostringstream out;
     out << kIntroduction;
     section(out, "[scene]", sceneOptions());
+    out << kIncludes;
     section(out, "[render]", renderOptions());
     section(out, "[bvh]", bvhOptions());
     out << "\nHow the trees of meshes are built. `info FILE --builders` compares the builders,\n"
@@ -132,6 +176,8 @@ std::string sceneFormatReference() {
     out << "\nA node is scaled, then rotated, then moved; its parent's place comes on top.\n\n"
            "`set = { PARAMETER = VALUE }` gives values to the parameters of an SDF shape, as for\n"
            "materials. `parts = { PART = \"MATERIAL\" }` gives materials to its parts.\n";
+    section(out, "[[animation]]", animationOptions());
+    out << kAnimations;
     return out.str();
 }
 

@@ -38,11 +38,15 @@ class Names {
 
 template <class T>
 void checkUnique(const std::vector<T>& objects, const std::string& what, Diagnostics& diagnostics) {
-    std::set<std::string> seen;
-    for (const T& object : objects)
-        if (!object.name.empty() && !seen.insert(object.name).second)
+    std::unordered_map<std::string, SourceLocation> seen;
+    for (const T& object : objects) {
+        if (object.name.empty()) continue;
+        const auto [known, isNew] = seen.emplace(object.name, object.where);
+        if (!isNew)
             diagnostics.error(object.where,
-                              fmt::format("two {}s are named '{}'", what, object.name));
+                              fmt::format("two {}s are named '{}'; the other is at {}", what,
+                                          object.name, known->second.text()));
+    }
 }
 
 /// Walks up from every node until it meets one that an earlier walk has seen.

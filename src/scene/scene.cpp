@@ -7,15 +7,28 @@ namespace vitrine {
 namespace {
 
 glm::mat4 parentFromNode(const Node& node) {
-    const glm::vec3 r = glm::radians(node.rotate);
     glm::mat4 m = glm::translate(glm::mat4(1), node.at);
-    m = glm::rotate(m, r.z, {0, 0, 1});
-    m = glm::rotate(m, r.y, {0, 1, 0});
-    m = glm::rotate(m, r.x, {1, 0, 0});
+    if (node.orientation) {
+        m = m * glm::mat4_cast(*node.orientation);
+    } else {
+        const glm::vec3 r = glm::radians(node.rotate);
+        m = glm::rotate(m, r.z, {0, 0, 1});
+        m = glm::rotate(m, r.y, {0, 1, 0});
+        m = glm::rotate(m, r.x, {1, 0, 0});
+    }
     return glm::scale(m, node.scale);
 }
 
 }  // namespace
+
+std::string problemOf(const Camera& camera) {
+    const glm::vec3 forward = camera.target - camera.eye;
+    if (glm::length(forward) < 1e-6f) return "the camera's eye and target are the same point";
+    if (glm::length(camera.up) < 1e-6f) return "up has no length";
+    if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(camera.up))) < 1e-6f)
+        return "the camera looks along its up direction";
+    return "";
+}
 
 std::vector<glm::mat4> worldFromNodes(const Scene& scene) {
     std::unordered_map<std::string, size_t> indexOf;

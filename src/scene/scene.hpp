@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/math.hpp"
 #include "image/image.hpp"
+#include "scene/animation.hpp"
 
 namespace vitrine {
 
@@ -75,6 +76,9 @@ struct Camera {
 
     static constexpr float kDefaultFocalLength = 35;
 };
+
+/// Why nothing can be seen with this camera; "" if it is good.
+std::string problemOf(const Camera& camera);
 
 /// Radiance by direction: zenith above, horizon, ground below, blended smoothly.
 struct Environment {
@@ -204,7 +208,8 @@ struct Node {
     Reference material;
     std::vector<std::pair<std::string, Reference>> parts;  ///< material by part name
     glm::vec3 at{0};
-    glm::vec3 rotate{0};  ///< degrees about x, then y, then z
+    glm::vec3 rotate{0};                   ///< degrees about x, then y, then z
+    std::optional<glm::quat> orientation;  ///< instead of rotate: a model's
     glm::vec3 scale{1};
     std::vector<ParameterValue> set;
     bool visible = true;
@@ -224,6 +229,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Shape> shapes;
     std::vector<Node> nodes;
+    std::vector<AnimationTrack> animations;
 };
 
 /// `worldFromObject` of each node: translation, rotation and scale of it and its ancestors.

@@ -102,6 +102,47 @@ bool readText(const toml::node& node, const std::string& what, std::string& out,
     return true;
 }
 
+bool readParameter(const toml::node& node, const std::string& what, ParameterValue& out,
+                   Diagnostics& diagnostics) {
+    out.where = placeOf(node);
+    out.value = glm::vec4(0);
+    out.components = 1;
+    const toml::array* array = node.as_array();
+    if (const auto flag = node.value_exact<bool>()) {
+        out.value.x = *flag ? 1.0f : 0.0f;
+        return true;
+    }
+    if (node.is_string()) {
+        Color color;
+        if (!readColor(node, what, {0, 1e9}, color, diagnostics)) return false;
+        out.value = glm::vec4(color.rgb, 1);
+        out.components = 3;
+        return true;
+    }
+    if (array != nullptr && array->size() >= 2 && array->size() <= 4) {
+        out.components = static_cast<int>(array->size());
+        bool good = true;
+        for (int i = 0; i < out.components; ++i) {
+            double component = 0;
+            good &=
+                readNumber(*array->get(static_cast<size_t>(i)), what, {}, component, diagnostics);
+            out.value[i] = static_cast<float>(component);
+        }
+        return good;
+    }
+    if (!node.is_number()) {
+        diagnostics.error(out.where,
+                          fmt::format("{} must be a number, two to four of them in brackets, a "
+                                      "colour, true or false",
+                                      what));
+        return false;
+    }
+    double number = 0;
+    if (!readNumber(node, what, {}, number, diagnostics)) return false;
+    out.value.x = static_cast<float>(number);
+    return true;
+}
+
 void readParameters(const toml::node& node, const std::string& what,
                     std::vector<ParameterValue>& out, Diagnostics& diagnostics) {
     const toml::table* table = node.as_table();
@@ -111,38 +152,11 @@ void readParameters(const toml::node& node, const std::string& what,
         return;
     }
     for (const auto& [key, value] : *table) {
-        ParameterValue parameter{std::string(key.str()), glm::vec4(0), 1, placeOf(value)};
-        const std::string name = fmt::format("{}.{}", what, parameter.name);
-        const toml::array* array = value.as_array();
-        if (const auto flag = value.value_exact<bool>()) {
-            parameter.value.x = *flag ? 1.0f : 0.0f;
-        } else if (value.is_string()) {
-            Color color;
-            if (!readColor(value, name, {0, 1e9}, color, diagnostics)) continue;
-            parameter.value = glm::vec4(color.rgb, 1);
-            parameter.components = 3;
-        } else if (array != nullptr && array->size() >= 2 && array->size() <= 4) {
-            parameter.components = static_cast<int>(array->size());
-            bool good = true;
-            for (int i = 0; i < parameter.components; ++i) {
-                double component = 0;
-                good &= readNumber(*array->get(static_cast<size_t>(i)), name, {}, component,
-                                   diagnostics);
-                parameter.value[i] = static_cast<float>(component);
-            }
-            if (!good) continue;
-        } else if (!value.is_number()) {
-            diagnostics.error(placeOf(value),
-                              fmt::format("{} must be a number, two to four of them in brackets, a "
-                                          "colour, true or false",
-                                          name));
-            continue;
-        } else {
-            double number = 0;
-            if (!readNumber(value, name, {}, number, diagnostics)) continue;
-            parameter.value.x = static_cast<float>(number);
-        }
-        out.push_back(parameter);
+        ParameterValue parameter;
+        parameter.name = std::string(key.str());
+        if (readParameter(value, fmt::format("{}.{}", what, parameter.name), parameter,
+                          diagnostics))
+            out.push_back(parameter);
     }
 }
 

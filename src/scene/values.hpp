@@ -24,7 +24,11 @@ bool readColor(const toml::node& node, const std::string& what, Range range, Col
                Diagnostics& diagnostics);
 bool readText(const toml::node& node, const std::string& what, std::string& out,
               Diagnostics& diagnostics);
-/// `{ name = value, ... }`: numbers, truth values, vectors and colours for snippet parameters.
+/// A number, a truth value, a vector or a colour for the parameter of a snippet; `out` has its
+/// name.
+bool readParameter(const toml::node& node, const std::string& what, ParameterValue& out,
+                   Diagnostics& diagnostics);
+/// `{ name = value, ... }` of these.
 void readParameters(const toml::node& node, const std::string& what,
                     std::vector<ParameterValue>& out, Diagnostics& diagnostics);
 
@@ -60,6 +64,9 @@ void readOption(const toml::node& node, const Option<T>& option, T& object,
         } else if constexpr (std::is_same_v<M, Reference T::*>) {
             if (readText(node, key, (object.*member).name, diagnostics))
                 (object.*member).where = placeOf(node);
+        } else if constexpr (std::is_same_v<M, FileMember<T>>) {
+            Reference& file = object.*member.member;
+            if (readText(node, key, file.name, diagnostics)) file.where = placeOf(node);
         } else if constexpr (std::is_same_v<M, TextureMember<T>>) {
             Reference& file = (object.*member.member).file;
             if (readText(node, key, file.name, diagnostics)) file.where = placeOf(node);

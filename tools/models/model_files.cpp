@@ -48,6 +48,10 @@ void writeModel(const std::filesystem::path& folder, const Mesh& mesh) {
         fmt::print("{}: {} triangles\n", path.string(), mesh.triangles.size());
 }
 
+void writeText(const std::filesystem::path& path, std::string_view text) {
+    if (writeIfNew(path, text)) fmt::print("{}: {} bytes\n", path.string(), text.size());
+}
+
 void writePicture(const std::filesystem::path& path, const ImageRgba8& picture) {
     const std::vector<uint8_t> bytes = encodePng(picture);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());

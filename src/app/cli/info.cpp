@@ -45,10 +45,12 @@ Json describe(const LoadedScene& loaded, bool builders) {
               {"title", loaded.scene.title},
               {"triangles", loaded.packed.triangleCount},
               {"instances", loaded.packed.instances.size()},
+              {"animations", loaded.scene.animations.size()},
               {"lights", loaded.scene.lights.size()},
               {"materials", loaded.scene.materials.size()},
               {"stack_entries", loaded.packed.stackBound},
-              {"tree_bytes", loaded.packed.slots.size() * sizeof(glm::uvec4)}};
+              {"tree_bytes", (loaded.packed.slots.size() + loaded.packed.upperSlots.size()) *
+                                 sizeof(glm::uvec4)}};
     for (const Camera& camera : loaded.scene.cameras) json["cameras"].push_back(camera.name);
     json["meshes"] = Json::array();
     json["snippets"] = Json::array();

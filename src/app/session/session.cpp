@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "frame/check_snippets.hpp"
 #include "scene/parse.hpp"
+#include "scene/pose.hpp"
 
 namespace vitrine {
 
@@ -60,13 +61,39 @@ Renderer::Renderer(const LoadedScene& loaded, Backend backend, bool counters)
     frame_ = std::make_unique<Frame>(*context_, loaded.packed, backend, counters);
 }
 
+void Renderer::show(const Scene& scene) {
+    Diagnostics diagnostics;
+    const PackedMoment moment = packMoment(scene, loaded_.assets, loaded_.packed, diagnostics);
+    diagnostics.throwIfErrors();
+    frame_->update(moment);
+}
+
+void Renderer::change(Scene scene) {
+    if (scene.animations.empty()) show(scene);
+    changed_ = std::move(scene);
+    posedTime_.reset();
+}
+
+const Scene& Renderer::sceneAt(float time) {
+    const Scene& scene = changed_ ? *changed_ : loaded_.scene;
+    if (scene.animations.empty()) return scene;
+    if (posedTime_ != time) {
+        posedTime_.reset();  // show() may throw
+        posed_ = poseScene(scene, time);
+        show(posed_);
+        posedTime_ = time;
+    }
+    return posed_;
+}
+
 ImageRgba8 Renderer::draw(const PictureRequest& request,
                           const std::function<void(int, int)>& progress) {
-    const RenderSettings& settings = loaded_.scene.render;
+    const Scene& scene = sceneAt(request.time);
+    const RenderSettings& settings = scene.render;
     FrameRequest frame;
     frame.width = request.width;
     frame.height = request.height;
-    frame.camera = findCamera(loaded_.scene, request.camera);
+    frame.camera = findCamera(scene, request.camera);
     frame.time = request.time;
     frame.samples = request.samples.value_or(settings.samples);
     frame.bounces = settings.bounces;

@@ -52,7 +52,12 @@ class Renderer {
     /// not compile, with the mistakes of all snippets.
     Renderer(const LoadedScene& loaded, Backend backend, bool counters);
 
-    /// `progress` is called after each sample with the samples done and to do.
+    /// From now on draws a scene that differs from the loaded one in numbers only: places,
+    /// materials, parameters, lights, settings. Throws InputError if something is wrong with them.
+    void change(Scene scene);
+
+    /// The scene at the request's time. `progress` is called after each sample with the samples
+    /// done and to do.
     ImageRgba8 draw(const PictureRequest& request, const std::function<void(int, int)>& progress);
     [[nodiscard]] FrameStatistics statistics() { return frame_->statistics(); }
     [[nodiscard]] const GpuInfo& gpu() const { return context_->info(); }
@@ -60,7 +65,14 @@ class Renderer {
     [[nodiscard]] double compileSeconds() const { return frame_->compileSeconds(); }
 
   private:
+    const Scene& sceneAt(float time);
+    void show(const Scene& scene);
+
     const LoadedScene& loaded_;
+    std::optional<Scene> changed_;
+    /// What the frame shows, if things move.
+    Scene posed_;
+    std::optional<float> posedTime_;
     std::unique_ptr<Context> context_;
     std::unique_ptr<Frame> frame_;
 };

@@ -14,7 +14,8 @@
 // Traverse is free all around, elevation goes from -6 to 18 degrees; over the engine deck no lower
 // than -1, and at 180 and -1.3 degrees the barrel lies in its crutch.
 // To drive, ask for the chassis again with another `drive` (trackPins is exact for any), keep the
-// atlas, and move the nodes by the same distance along x. The track repeats after one pitch.
+// atlas, and move the nodes by the same distance along x. The track repeats after one pitch
+// (track.hpp); drive.hpp makes a scene of that.
 #pragma once
 
 #include <vector>

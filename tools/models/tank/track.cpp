@@ -145,25 +145,50 @@ class Loop {
 
 }  // namespace
 
-std::vector<Vec2> trackPins(double drive) {
-    static const Loop loop;
-    const int links = static_cast<int>(std::lround(loop.length() / kPitch));
-    const double start = drive - kPitch * std::floor(drive / kPitch);
-    const auto walk = [&](double pitch, std::vector<Vec2>* pins) {
-        double s = start;
-        for (int i = 0; i < links; ++i) {
-            if (pins) pins->push_back(loop.at(s));
-            s = loop.step(s, pitch);
-        }
-        return s - start;
-    };
+namespace {
+
+const Loop& loop() {
+    static const Loop curve;
+    return curve;
+}
+
+/// From the first pin, `start` along the curve, over all links. Returns how far that leads.
+double walk(double start, double pitch, std::vector<double>* along = nullptr) {
+    const int links = static_cast<int>(std::lround(loop().length() / kPitch));
+    double s = start;
+    for (int i = 0; i < links; ++i) {
+        if (along) along->push_back(s);
+        s = loop().step(s, pitch);
+    }
+    return s - start;
+}
+
+/// The chord with which the links close the curve.
+double closingPitch(double start) {
     double low = 0.95 * kPitch, high = 1.05 * kPitch;
     for (int i = 0; i < 48; ++i) {
         const double middle = 0.5 * (low + high);
-        (walk(middle, nullptr) < loop.length() ? low : high) = middle;
+        (walk(start, middle) < loop().length() ? low : high) = middle;
     }
+    return low;
+}
+
+}  // namespace
+
+double trackPitch() {
+    static const double pitch = closingPitch(0.0);
+    return pitch;
+}
+
+std::vector<Vec2> trackPins(double drive) {
+    // After one pitch every pin is where the next one was: exactly, or the loop would jump.
+    static const double firstStep = loop().step(0.0, trackPitch());
+    const double rounds = drive / trackPitch();
+    const double start = (rounds - std::floor(rounds)) * firstStep;
+    std::vector<double> along;
+    walk(start, closingPitch(start), &along);
     std::vector<Vec2> pins;
-    walk(low, &pins);
+    for (const double s : along) pins.push_back(loop().at(s));
     return pins;
 }
 

@@ -17,6 +17,9 @@ namespace vitrine::tank {
 /// `drive` is how far the tank has come, in metres.
 std::vector<Vec2> trackPins(double drive);
 
+/// How far the tank drives until every link is where the next one was, in metres.
+double trackPitch();
+
 /// Places of the links of the right track (side = 1) or the left one (side = -1).
 std::vector<Mat4> linkPlaces(const std::vector<Vec2>& pins, double side);
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Reads the [[animation]] tables of a document into the tracks of its scene.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace vitrine {
+
+/// The rest of `scene` has been read. What `overrides` (`--set` assignments) give is not animated.
+void readAnimations(const toml::array& tables, const std::vector<std::string>& overrides,
+                    Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace vitrine
