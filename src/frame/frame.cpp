@@ -28,8 +28,9 @@ void Frame::update(const PackedScene& scene) {
 }
 
 void Frame::begin(const FrameRequest& request) {
-    const bool resized = request.width != request_.width || request.height != request_.height ||
-                         request.ssaa != request_.ssaa || !picture_.valid();
+    const bool resized = request.layers != request_.layers || request.width != request_.width ||
+                         request.height != request_.height || request.ssaa != request_.ssaa ||
+                         !picture_.valid();
     request_ = request;
     sample_ = 0;
     statistics_ = {};
@@ -51,6 +52,8 @@ void Frame::begin(const FrameRequest& request) {
     // Enough rays for ambient occlusion that a picture of few samples is not speckled.
     block.display.w = static_cast<float>(std::clamp(16 / request.samples, 1, 16));
     if (!resized) return;
+    layers_ = {};
+    if (request.layers) layers_.allocate(width, height);
     const auto image = [&](TexelFormat f) { return Texture(width, height, f); };
     for (PathImages& path : paths_) path.allocate(width, height);
     for (Texture& t : radiance_) t = image(TexelFormat::kRgba32f);
@@ -67,6 +70,7 @@ void Frame::drawSample() {
     const glm::vec2 jitter = sampleOffset(sample_, request_.samples);
     context_.block.jitter = glm::vec4(jitter, request_.ssaa, 0);
     findFirstHits();
+    if (request_.layers && sample_ == 0) layersPass(context_, paths_[0].records, layers_);
     if (!showsRecords(request_.view)) followPaths();
     if (showsRecords(request_.view) || showsCounters(request_.view)) {
         // The records of the camera rays are gone after the bounces; counters need no records.
@@ -125,6 +129,10 @@ ImageRgba8 Frame::picture() {
         std::copy(source, source + row, image.pixels.data() + static_cast<size_t>(y) * row);
     }
     return image;
+}
+
+LayerImages Frame::layers() const {
+    return readLayers(mean_[0], layers_, request_.ssaa);
 }
 
 void Frame::addCounts() {

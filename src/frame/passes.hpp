@@ -3,6 +3,7 @@
 // shaders/pass/NAME.glsl. frame.cpp strings them together.
 #pragma once
 
+#include "frame/layers.hpp"
 #include "frame/pass_context.hpp"
 
 namespace vitrine {
@@ -28,6 +29,9 @@ void accumulatePass(PassContext& context, const Texture& radiance, const Texture
 
 /// What the records or the counters say, as a colour.
 void viewPass(PassContext& context, const Texture& records, Texture& radiance);
+
+/// What the records say, as data.
+void layersPass(PassContext& context, const Texture& records, LayerTextures& layers);
 
 /// From the mean to 8 bits.
 void displayPass(PassContext& context, const Texture& mean, Texture& picture);

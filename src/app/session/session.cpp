@@ -62,6 +62,18 @@ Renderer::Renderer(const LoadedScene& loaded, Backend backend, bool counters)
 
 ImageRgba8 Renderer::draw(const PictureRequest& request,
                           const std::function<void(int, int)>& progress) {
+    drawSamples(request, false, progress);
+    return frame_->picture();
+}
+
+LayerImages Renderer::drawLayers(const PictureRequest& request,
+                                 const std::function<void(int, int)>& progress) {
+    drawSamples(request, true, progress);
+    return frame_->layers();
+}
+
+void Renderer::drawSamples(const PictureRequest& request, bool layers,
+                           const std::function<void(int, int)>& progress) {
     const RenderSettings& settings = loaded_.scene.render;
     FrameRequest frame;
     frame.width = request.width;
@@ -74,13 +86,13 @@ ImageRgba8 Renderer::draw(const PictureRequest& request,
     frame.seed = request.seed.value_or(settings.seed);
     frame.view = request.view;
     frame.primary = request.primary;
+    frame.layers = layers;
     try {
         frame_->begin(frame);
         for (int i = 0; i < frame.samples; ++i) {
             frame_->drawSample();
             if (progress) progress(i + 1, frame.samples);
         }
-        return frame_->picture();
     } catch (const InputError&) {
         // One program reports one snippet's mistakes at best: ask each snippet by itself.
         checkSnippets(*context_, loaded_.assets).throwIfErrors();

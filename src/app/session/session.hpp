@@ -53,12 +53,19 @@ class Renderer {
 
     /// `progress` is called after each sample with the samples done and to do.
     ImageRgba8 draw(const PictureRequest& request, const std::function<void(int, int)>& progress);
+    /// The same picture as data.
+    LayerImages drawLayers(const PictureRequest& request,
+                           const std::function<void(int, int)>& progress);
     [[nodiscard]] FrameStatistics statistics() { return frame_->statistics(); }
     [[nodiscard]] const GpuInfo& gpu() const { return context_->info(); }
     [[nodiscard]] Backend backend() const { return frame_->backend(); }
     [[nodiscard]] double compileSeconds() const { return frame_->compileSeconds(); }
 
   private:
+    /// Leaves the samples in the frame.
+    void drawSamples(const PictureRequest& request, bool layers,
+                     const std::function<void(int, int)>& progress);
+
     const LoadedScene& loaded_;
     std::unique_ptr<Context> context_;
     std::unique_ptr<Frame> frame_;
