@@ -35,7 +35,7 @@ void Frame::begin(const FrameRequest& request) {
     sample_ = 0;
     statistics_ = {};
     context_.timer().reset();
-    context_.timing = context_.counting;
+    context_.timing = context_.counting || request.timing;
 
     FrameBlock& block = context_.block;
     const int width = request.width * request.ssaa, height = request.height * request.ssaa;
@@ -87,13 +87,7 @@ void Frame::findFirstHits() {
         visibilityPass(context_, paths_[0].records);
         return;
     }
-    const glm::mat4 clipFromWorld = packProjection(context_.block);
-    std::vector<RasterDraw> draws;
-    for (size_t i = 0; i < instances_.size(); ++i)
-        if (!instances_[i].field)
-            draws.push_back({clipFromWorld * instances_[i].worldFromObject, static_cast<int>(i),
-                             instances_[i].firstTriangle,
-                             static_cast<int>(instances_[i].triangles)});
+    const std::vector<RasterDraw> draws = rasterDraws(instances_, context_.block);
     const bool fields = fieldRoot_ >= 0;
     rasterPass(context_, draws, depth_, paths_[fields ? 1 : 0].records);
     if (fields) visibilityFieldsPass(context_, fieldRoot_, paths_[1].records, paths_[0].records);

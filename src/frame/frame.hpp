@@ -24,6 +24,7 @@ struct FrameRequest {
     int seed = 0;
     View view = View::kColor;
     Primary primary = Primary::kRaster;
+    bool timing = false;  ///< measure the passes; always with counters
     bool layers = false;  ///< keep what layers() needs
 };
 

@@ -5,12 +5,16 @@
 
 #include "frame/layers.hpp"
 #include "frame/pass_context.hpp"
+#include "pack/pack_scene.hpp"
 
 namespace vitrine {
 
 /// Camera rays: the first hits.
 void visibilityPass(PassContext& context, Texture& records);
 
+/// What the rasteriser is to draw: the meshes that may be in view, the nearest first.
+std::vector<RasterDraw> rasterDraws(std::span<const PackedInstance> instances,
+                                    const FrameBlock& block);
 /// Camera rays by rasterising the meshes, then tracing the fields in front of them.
 void rasterPass(PassContext& context, std::span<const RasterDraw> draws, const DepthImage& depth,
                 Texture& records);
