@@ -8,23 +8,22 @@
 // counts no waiting for other programs; LP_NUM_THREADS=1 is set here, so that one core draws. On a
 // GPU it is wall time.
 //
-//   trace_bench [--json FILE] [--pairs N] [--triangles N]
+//   trace_bench [--json FILE] [--pairs N] [--triangles N | --scene FILE]
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "app/session/session.hpp"
 #include "base/file.hpp"
 #include "bvh/build.hpp"
 #include "bvh/traverse.hpp"
 #include "embree_scene.hpp"
 #include "frame/pass_query.hpp"
+#include "stopwatch.hpp"
 #include "torus_knot.hpp"
 
 namespace vitrine {
@@ -36,29 +35,8 @@ struct Options {
     std::string json;
     int pairs = 9;
     uint32_t triangles = 70000;
+    std::string scene;  // instead of the knot: all meshes of a scene, as one
 };
-
-class Stopwatch {
-  public:
-    explicit Stopwatch(bool software) : software_(software) {}
-    double secondsOf(const std::function<void()>& work) const {
-        const auto start = std::chrono::steady_clock::now();
-        const std::clock_t cpuStart = std::clock();
-        work();
-        const std::clock_t cpuEnd = std::clock();
-        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-        return software_ ? double(cpuEnd - cpuStart) / CLOCKS_PER_SEC : wall.count();
-    }
-
-  private:
-    bool software_;
-};
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const size_t half = values.size() / 2;
-    return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 struct RayClass {
     std::string name;
@@ -74,23 +52,56 @@ glm::vec3 cosineDirection(const glm::vec3& n, std::mt19937& random) {
     return glm::normalize(n + 0.999f * glm::normalize(p));
 }
 
+struct Viewpoint {
+    glm::vec3 eye{1.5f, -2, 8}, target{0}, light{6, 5, 7};
+    float width = 1;  // of the image plane at distance 1
+};
+
+/// All meshes of a scene in world space; what its first camera sees by its first light.
+KnotMesh flattenScene(const std::string& file, Viewpoint& view) {
+    Diagnostics diagnostics;
+    const LoadedScene loaded = loadAll(file, {}, diagnostics);
+    diagnostics.throwIfErrors();
+    KnotMesh mesh;
+    for (const PackedInstance& instance : loaded.packed.instances) {
+        if (instance.field) continue;
+        for (size_t i = 0; i < instance.triangles; ++i) {
+            const glm::uvec4& t = loaded.packed.triangles[instance.firstTriangle + i];
+            const auto first = static_cast<uint32_t>(mesh.positions.size());
+            mesh.triangles.emplace_back(first, first + 1, first + 2);
+            for (const uint32_t v : {t.x, t.y, t.z}) {
+                const glm::vec4& p = loaded.packed.vertices[v * VITRINE_VERTEX_TEXELS];
+                mesh.positions.emplace_back(instance.worldFromObject * glm::vec4(p.x, p.y, p.z, 1));
+            }
+        }
+    }
+    const Camera& camera = loaded.scene.cameras.front();
+    view.eye = camera.eye;
+    view.target = camera.target;
+    view.width =
+        camera.fov > 0 ? 2 * std::tan(glm::radians(camera.fov) / 2) : 36 / camera.focalLength;
+    if (!loaded.scene.lights.empty())
+        view.light = camera.target - 100.0f * glm::normalize(loaded.scene.lights[0].direction);
+    return mesh;
+}
+
 /// Camera rays, and from where they hit: to a light, mirrored, and in all directions.
-std::vector<RayClass> rayClasses(const KnotMesh& mesh) {
+std::vector<RayClass> rayClasses(const KnotMesh& mesh, const Viewpoint& view) {
     const Bvh bvh = buildTriangleBvh(mesh.positions, mesh.triangles);
     std::vector<RayClass> classes{{"primary", false, {}},
                                   {"shadow", true, {}},
                                   {"mirror", false, {}},
                                   {"diffuse", false, {}}};
     std::mt19937 random(1);
-    const glm::vec3 eye(1.5f, -2, 8), light(6, 5, 7);
-    const glm::vec3 forward = glm::normalize(-eye),
+    const glm::vec3 eye = view.eye, light = view.light;
+    const glm::vec3 forward = glm::normalize(view.target - eye),
                     right = glm::normalize(glm::cross(forward, {0, 1, 0}));
     const glm::vec3 up = glm::cross(right, forward);
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
             const float u = (static_cast<float>(x) + 0.5f) / kSide - 0.5f;
             const float v = (static_cast<float>(y) + 0.5f) / kSide - 0.5f;
-            const glm::vec3 d = glm::normalize(forward + u * right + v * up);
+            const glm::vec3 d = glm::normalize(forward + view.width * (u * right + v * up));
             classes[0].rays.push_back({eye, 0, d});
             const auto hit = closestHit(bvh, mesh.positions, mesh.triangles, {eye, d});
             if (!hit) continue;
@@ -150,7 +161,9 @@ std::string nameOf(Backend backend) {
 constexpr double kMillion = 1e-6;
 
 nlohmann::json benchMesh(const Context& context, const Options& options) {
-    const KnotMesh mesh = makeTorusKnot(options.triangles);
+    Viewpoint view;
+    const KnotMesh mesh = options.scene.empty() ? makeTorusKnot(options.triangles)
+                                                : flattenScene(options.scene, view);
     const PackedScene packed = packMesh(mesh);
     const EmbreeScene embree(mesh.positions, mesh.triangles, 1);
     const Stopwatch watch(context.info().software);
@@ -159,7 +172,7 @@ nlohmann::json benchMesh(const Context& context, const Options& options) {
     std::printf("%-9s %-9s %9s %9s %8s %11s\n", "rays", "back end", "Mrays/s", "Embree", "ratio",
                 "nodes/ray");
     nlohmann::json rows = nlohmann::json::array();
-    for (const RayClass& c : rayClasses(mesh)) {
+    for (const RayClass& c : rayClasses(mesh, view)) {
         std::vector<Ray> rays;
         for (const QueryRay& r : c.rays) rays.push_back({r.origin, r.direction, 0, r.length});
         std::vector<EmbreeHit> hits(rays.size());
@@ -259,10 +272,14 @@ int main(int argc, char** argv) {
             options.json = argv[++i];
         } else if (argument == "--pairs" && valued) {
             options.pairs = std::max(1, std::atoi(argv[++i]));
+        } else if (argument == "--scene" && valued) {
+            options.scene = argv[++i];
         } else if (argument == "--triangles" && valued) {
             options.triangles = uint32_t(std::max(64, std::atoi(argv[++i])));
         } else {
-            std::fprintf(stderr, "usage: trace_bench [--json FILE] [--pairs N] [--triangles N]\n");
+            std::fprintf(stderr,
+                         "usage: trace_bench [--json FILE] [--pairs N] "
+                         "[--triangles N | --scene FILE]\n");
             return 2;
         }
     }

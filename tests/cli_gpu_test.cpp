@@ -79,6 +79,28 @@ TEST_F(CliGpu, DrawsAPicture) {
     EXPECT_EQ(files(), (Arguments{"ball.sdf.glsl", "s.toml", "x.png"})) << "no temporary is left";
 }
 
+TEST_F(CliGpu, DrawsLayers) {
+    const std::string bytes = drawn("x.exr", {"--spp", "2"});
+    EXPECT_EQ(drawn("again.exr", {"--spp", "2"}), bytes);
+    for (const char* layer : {"albedo.R", "normal.Z", "depth.Z", "id.instance", "id.material"})
+        EXPECT_NE(bytes.find(layer), std::string::npos) << layer;
+    (void)drawn("x.png", {"--spp", "2", "--set", "render.tone_map=none"});
+    const Arguments alike{"compare", "x.exr", "x.png", "--tolerance", "1", "--fraction", "0"};
+    EXPECT_EQ(run(alike).code, 0);
+    (void)drawn("x.png", {"--spp", "2", "--set", "render.tone_map=none", "--time", "3"});
+    EXPECT_EQ(run(alike).code, 1);
+    (void)drawn("x.exr", {"--spp", "2", "--set", "render.exposure=2"});
+    EXPECT_EQ(read("x.exr"), bytes) << "exposure is no matter of light";
+}
+
+TEST_F(CliGpu, DrawsLayersOfFrames) {
+    EXPECT_EQ(draw("f_##.exr", {"--frames", "0-24:24"}).code, 0);
+    EXPECT_EQ(files(), (Arguments{"ball.sdf.glsl", "f_00.exr", "f_24.exr", "s.toml"}));
+    const Json json = Json::parse(run({"compare", "f_00.exr", "f_24.exr", "--json", "-"}).out);
+    EXPECT_EQ(json["values"], "linear");
+    EXPECT_GT(json["rmse"], 0.001) << "the ball shrinks";
+}
+
 TEST_F(CliGpu, OptionsChangeThePicture) {
     const std::string plain = drawn("x.png");
     for (const Arguments& more : std::vector<Arguments>{{"--camera", "top"},

@@ -94,7 +94,7 @@ TEST_F(Cli, ACommandLineAtFaultIsTwo) {
         {{"render", "good.toml", "-o", "x.png", "-r", "640"}, "-r: '640' is not WIDTHxHEIGHT"},
         {{"render", "good.toml", "-o", "x.png", "-r", "0x10"}, "-r: '0x10'"},
         {{"render", "good.toml", "-o", "x.png", "-r", "20000x10"}, "from 1 to 16384"},
-        {{"render", "good.toml", "-o", "x.jpg"}, "-o: 'x.jpg' must end in .png"},
+        {{"render", "good.toml", "-o", "x.jpg"}, "-o: 'x.jpg' must end in .png or .exr"},
         {{"render", "good.toml", "-o", "x.png", "--spp", "0"}, "--spp"},
         {{"render", "good.toml", "-o", "x.png", "--time", "nan"}, "--time: 'nan'"},
         {{"render", "good.toml", "-o", "x.png", "--fps", "nan"}, "--fps: 'nan'"},

@@ -6,5 +6,5 @@ flat in int triangle;
 layout(location = 0) out uvec4 outRecord;
 
 void main() {
-    outRecord = rasterRecord(ivec2(gl_FragCoord.xy), triangle, barycentrics, 1.0 / gl_FragCoord.w);
+    outRecord = rasterRecord(gl_FragCoord.xy, triangle, barycentrics, 1.0 / gl_FragCoord.w);
 }

@@ -29,8 +29,8 @@ Probe ambientProbe(Hit hit, vec3 toViewer, ivec2 pixel, int index, int count) {
     float ao = frame.shading.z;
     if (ao <= 0.0) return Probe(s.normal, 0.0, albedo * environmentRadiance(s.normal), vec3(0.0));
     int sampleIndex = frame.sampling.x * count + index;
-    vec3 local = sampleCosine(random2(pixel, sampleIndex, kDimensionAmbient + frame.sampling.z,
-                                      frame.sampling.w));
+    vec3 local = sampleCosine(random2(pixel, sampleIndex, frame.sampling.y * count,
+                                      kDimensionAmbient + frame.sampling.z, frame.sampling.w));
     vec3 tangent, bitangent;
     orthonormalBasis(s.normal, tangent, bitangent);
     vec3 direction = local.x * tangent + local.y * bitangent + local.z * s.normal;

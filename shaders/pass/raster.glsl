@@ -25,9 +25,10 @@ RasterVertex rasterVertex(int vertex) {
                         vec2(corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0), triangle);
 }
 
-// `depth`: along the camera's forward direction, m.
-uvec4 rasterRecord(ivec2 pixel, int triangle, vec2 barycentrics, float depth) {
-    Ray ray = cameraRay(pixelPosition(pixel));
-    float t = depth / dot(ray.direction, frame.cameraForward.xyz);
+// `position`: the pixel's centre; `depth`: along the camera's forward direction, m. The distance
+// along the ray follows without a direction: the three axes of the camera are square to each other.
+uvec4 rasterRecord(vec2 position, int triangle, vec2 barycentrics, float depth) {
+    vec2 p = 2.0 * (position + frame.jitter.xy) / vec2(frame.image.xy) - 1.0;
+    float t = depth * sqrt(1.0 + p.x * p.x * frame.cameraRight.w + p.y * p.y * frame.cameraUp.w);
     return packHit(uint(drawnInstance), uint(triangle), packBarycentrics(barycentrics), t);
 }

@@ -20,6 +20,11 @@ struct Path {
 const int kDimensionAmbient = 16;  // and 15 more
 const int kDimensionBounce = 64;   // and one a bounce
 
+// For what takes one point a sample.
+vec2 random2(ivec2 pixel, int sampleIndex, int dimension, int seed) {
+    return random2(pixel, sampleIndex, frame.sampling.y, dimension, seed);
+}
+
 vec2 pixelPosition(ivec2 pixel) { return vec2(pixel) + 0.5 + frame.jitter.xy; }
 
 Path loadPath(ivec2 pixel) {

@@ -33,13 +33,14 @@ void Frame::use(const PackedMoment& moment) {
 }
 
 void Frame::begin(const FrameRequest& request) {
-    const bool resized = request.width != request_.width || request.height != request_.height ||
-                         request.ssaa != request_.ssaa || !picture_.valid();
+    const bool resized = request.layers != request_.layers || request.width != request_.width ||
+                         request.height != request_.height || request.ssaa != request_.ssaa ||
+                         !picture_.valid();
     request_ = request;
     sample_ = 0;
     statistics_ = {};
     context_.timer().reset();
-    context_.timing = context_.counting;
+    context_.timing = context_.counting || request.timing;
 
     FrameBlock& block = context_.block;
     const int width = request.width * request.ssaa, height = request.height * request.ssaa;
@@ -57,6 +58,8 @@ void Frame::begin(const FrameRequest& request) {
     block.display.w = static_cast<float>(std::clamp(16 / request.samples, 1, 16));
     if (request.view == View::kBvh) treeBoxes_.upload(treeLevel(instances_, request.treeLevel));
     if (!resized) return;
+    layers_ = {};
+    if (request.layers) layers_.allocate(width, height);
     const auto image = [&](TexelFormat f) { return Texture(width, height, f); };
     for (PathImages& path : paths_) path.allocate(width, height);
     for (Texture& t : radiance_) t = image(TexelFormat::kRgba32f);
@@ -73,6 +76,7 @@ void Frame::drawSample() {
     const glm::vec2 jitter = sampleOffset(sample_, request_.samples);
     context_.block.jitter = glm::vec4(jitter, request_.ssaa, 0);
     findFirstHits();
+    if (request_.layers && sample_ == 0) layersPass(context_, paths_[0].records, layers_);
     if (!showsRecords(request_.view)) followPaths();
     if (showsRecords(request_.view) || showsCounters(request_.view)) {
         // The records of the camera rays are gone after the bounces; counters need no records.
@@ -89,13 +93,7 @@ void Frame::findFirstHits() {
         visibilityPass(context_, paths_[0].records);
         return;
     }
-    const glm::mat4 clipFromWorld = packProjection(context_.block);
-    std::vector<RasterDraw> draws;
-    for (size_t i = 0; i < instances_.size(); ++i)
-        if (!instances_[i].field)
-            draws.push_back({clipFromWorld * instances_[i].worldFromObject, static_cast<int>(i),
-                             instances_[i].firstTriangle,
-                             static_cast<int>(instances_[i].triangles)});
+    const std::vector<RasterDraw> draws = rasterDraws(instances_, context_.block);
     const bool fields = fieldRoot_ >= 0;
     rasterPass(context_, draws, depth_, paths_[fields ? 1 : 0].records);
     if (fields) visibilityFieldsPass(context_, fieldRoot_, paths_[1].records, paths_[0].records);
@@ -138,6 +136,10 @@ ImageRgba8 Frame::picture() {
         std::copy(source, source + row, image.pixels.data() + static_cast<size_t>(y) * row);
     }
     return image;
+}
+
+LayerImages Frame::layers() const {
+    return readLayers(mean_[0], layers_, request_.ssaa);
 }
 
 void Frame::addCounts() {

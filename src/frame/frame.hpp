@@ -26,6 +26,8 @@ struct FrameRequest {
     View view = View::kColor;
     int treeLevel = 0;  ///< of View::kBvh
     Primary primary = Primary::kRaster;
+    bool timing = false;  ///< measure the passes; always with counters
+    bool layers = false;  ///< keep what layers() needs
 };
 
 /// Sums over all samples drawn since begin(). Ray counts need counters.
@@ -52,6 +54,8 @@ class Frame {
     [[nodiscard]] int samplesDrawn() const { return sample_; }
     /// The picture of the samples so far, top row first.
     [[nodiscard]] ImageRgba8 picture();
+    /// The picture as data. Needs a request with `layers`.
+    [[nodiscard]] LayerImages layers() const;
     [[nodiscard]] FrameStatistics statistics();
     [[nodiscard]] Backend backend() const { return context_.programs.backend(); }
     [[nodiscard]] double compileSeconds() const { return context_.programs.compileSeconds(); }
@@ -68,6 +72,7 @@ class Frame {
     std::array<PathImages, 2> paths_;
     std::array<Texture, 2> radiance_, mean_;
     Texture black_, picture_;
+    LayerTextures layers_;
     DepthImage depth_;
     std::vector<PackedInstance> instances_;
     TreeBoxes treeBoxes_;

@@ -3,14 +3,19 @@
 // shaders/pass/NAME.glsl. frame.cpp strings them together.
 #pragma once
 
+#include "frame/layers.hpp"
 #include "frame/pass_context.hpp"
 #include "frame/tree_boxes.hpp"
+#include "pack/pack_scene.hpp"
 
 namespace vitrine {
 
 /// Camera rays: the first hits.
 void visibilityPass(PassContext& context, Texture& records);
 
+/// What the rasteriser is to draw: the meshes that may be in view, the nearest first.
+std::vector<RasterDraw> rasterDraws(std::span<const PackedInstance> instances,
+                                    const FrameBlock& block);
 /// Camera rays by rasterising the meshes, then tracing the fields in front of them.
 void rasterPass(PassContext& context, std::span<const RasterDraw> draws, const DepthImage& depth,
                 Texture& records);
@@ -33,6 +38,8 @@ void viewPass(PassContext& context, const Texture& records, Texture& radiance);
 /// Boxes of the trees over the picture, which is dimmed; `records` are of the same moment.
 void boxesPass(PassContext& context, const TreeBoxes& boxes, const Texture& records,
                Texture& picture);
+/// What the records say, as data.
+void layersPass(PassContext& context, const Texture& records, LayerTextures& layers);
 
 /// From the mean to 8 bits.
 void displayPass(PassContext& context, const Texture& mean, Texture& picture);

@@ -44,4 +44,46 @@ Comparison compareImages(const ImageRgba8& a, const ImageRgba8& b, int tolerance
     return result;
 }
 
+Comparison compareLinear(const ImageRgba32f& a, const ImageRgba32f& b, int tolerance) {
+    Comparison result = compareImages(srgbFromLinear(a), srgbFromLinear(b), tolerance);
+    double squares = 0;
+    result.maxDifference = 0;
+    for (size_t i = 0; i < a.pixels.size(); i += 4) {
+        double here = 0, largestHere = 0;
+        for (size_t channel = 0; channel < 4; ++channel) {
+            const double difference =
+                std::abs(double{a.pixels[i + channel]} - double{b.pixels[i + channel]});
+            largestHere = std::max(largestHere, difference);
+            // Not by largestHere: max() would lose a NaN.
+            if (channel < 3 || !std::isfinite(difference)) here += difference * difference;
+        }
+        if (std::isfinite(here)) {
+            squares += here;
+            result.maxDifference = std::max(result.maxDifference, largestHere);
+        } else {
+            ++result.pixelsNotFinite;
+        }
+    }
+    const size_t finite = result.pixels - result.pixelsNotFinite;
+    result.rmse = finite > 0 ? std::sqrt(squares / (3.0 * static_cast<double>(finite))) : 0;
+    result.psnr = -20.0 * std::log10(result.rmse);
+    result.pixelsOver = std::min(result.pixels, result.pixelsOver + result.pixelsNotFinite);
+    result.fractionOver = result.pixels > 0 ? static_cast<double>(result.pixelsOver) /
+                                                  static_cast<double>(result.pixels)
+                                            : 0;
+    return result;
+}
+
+ImageRgba8 srgbFromLinear(const ImageRgba32f& image) {
+    ImageRgba8 result(image.width, image.height);
+    for (size_t i = 0; i < image.pixels.size(); ++i) {
+        float x = image.pixels[i];
+        x = x > 0 ? std::min(x, 1.0f) : 0.0f;  // NaN is not above 0
+        if (i % 4 != 3)
+            x = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+        result.pixels[i] = static_cast<uint8_t>(255.0f * x + 0.5f);
+    }
+    return result;
+}
+
 }  // namespace vitrine

@@ -20,11 +20,21 @@ struct Comparison {
     size_t pixels = 0;
     size_t pixelsOver = 0;  // pixels with any channel, alpha too, off by more than the tolerance
     double fractionOver = 0.0;
+    size_t pixelsNotFinite = 0;  // of linear pictures; they count as over, and not in the errors
     ImageMap flipMap;
 };
 
 /// Throws InputError if the pictures differ in size.
 Comparison compareImages(const ImageRgba8& a, const ImageRgba8& b,
                          int tolerance = kDefaultTolerance);
+
+/// Linear pictures: rmse, psnr (of full scale 1) and the largest difference are those of linear
+/// values; pixels over the tolerance and FLIP are those of the pictures in sRGB, clamped to [0, 1].
+/// Throws InputError if the pictures differ in size.
+Comparison compareLinear(const ImageRgba32f& a, const ImageRgba32f& b,
+                         int tolerance = kDefaultTolerance);
+
+/// Linear colour in sRGB, clamped to [0, 1] and rounded; NaN becomes 0.
+ImageRgba8 srgbFromLinear(const ImageRgba32f& image);
 
 }  // namespace vitrine

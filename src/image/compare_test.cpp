@@ -97,5 +97,38 @@ TEST(Compare, RefusesDifferentSizes) {
     EXPECT_THROW(compareImages(ImageRgba8(4, 3), ImageRgba8(4, 4)), InputError);
 }
 
+TEST(Compare, LinearPicturesByTheirLight) {
+    ImageRgba32f a(8, 4), b(8, 4);
+    for (size_t i = 0; i < a.pixels.size(); ++i) a.pixels[i] = b.pixels[i] = i % 4 == 3 ? 1 : 6;
+    b.at(3, 2)[1] = 10;  // far above what a screen shows
+    const Comparison bright = compareLinear(a, b);
+    EXPECT_NEAR(bright.rmse, 4 / std::sqrt(3.0 * 32), 1e-9);
+    EXPECT_NEAR(bright.psnr, -20 * std::log10(bright.rmse), 1e-9);
+    EXPECT_EQ(bright.maxDifference, 4);
+    EXPECT_EQ(bright.flipMean, 0) << "both are white";
+    EXPECT_EQ(bright.pixelsOver, 0u);
+    b.at(3, 2)[1] = 0.5f;
+    EXPECT_EQ(compareLinear(a, b).pixelsOver, 1u);
+    EXPECT_GT(compareLinear(a, b).flipMean, 0);
+    for (const float broken :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        b.at(3, 2)[1] = broken;
+        const Comparison c = compareLinear(a, b);
+        EXPECT_EQ(c.pixelsNotFinite, 1u);
+        EXPECT_EQ(c.rmse, 0);
+        EXPECT_GE(c.pixelsOver, 1u);
+    }
+}
+
+TEST(Compare, SrgbFromLinearIsTheStandardsCurve) {
+    ImageRgba32f image(6, 1);
+    const float values[6] = {-1, 0, 0.0031308f, 0.2140411f, 1, 7};
+    const int expected[6] = {0, 0, 10, 128, 255, 255};
+    for (int x = 0; x < 6; ++x) image.at(x, 0)[0] = image.at(x, 0)[3] = values[x];
+    const ImageRgba8 srgb = srgbFromLinear(image);
+    for (int x = 0; x < 6; ++x) EXPECT_EQ(srgb.at(x, 0)[0], expected[x]) << x;
+    EXPECT_EQ(srgb.at(3, 0)[3], 55) << "alpha has no curve";
+}
+
 }  // namespace
 }  // namespace vitrine

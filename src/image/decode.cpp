@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::array<uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 constexpr std::array<uint8_t, 3> kJpegSignature{0xff, 0xd8, 0xff};
+constexpr std::array<uint8_t, 4> kExrSignature{0x76, 0x2f, 0x31, 0x01};
 
 template <size_t n>
 bool beginsWith(std::span<const uint8_t> bytes, const std::array<uint8_t, n>& signature) {
@@ -20,6 +21,8 @@ bool beginsWith(std::span<const uint8_t> bytes, const std::array<uint8_t, n>& si
 }
 
 [[noreturn]] void failUnknown(std::span<const uint8_t> bytes, const std::string& file) {
+    if (imageFormat(bytes) == ImageFormat::kExr)
+        throw InputError({file}, "an EXR has linear light; here goes a PNG or a JPEG");
     throw InputError({file}, bytes.empty() ? "the picture is empty"
                                            : "the picture is neither a PNG nor a JPEG (at byte 0)");
 }
@@ -29,6 +32,7 @@ bool beginsWith(std::span<const uint8_t> bytes, const std::array<uint8_t, n>& si
 ImageFormat imageFormat(std::span<const uint8_t> bytes) {
     if (beginsWith(bytes, kPngSignature)) return ImageFormat::kPng;
     if (beginsWith(bytes, kJpegSignature)) return ImageFormat::kJpeg;
+    if (beginsWith(bytes, kExrSignature)) return ImageFormat::kExr;
     return ImageFormat::kUnknown;
 }
 
@@ -38,6 +42,7 @@ ImageRgba8 decodeImage(std::span<const uint8_t> bytes, const std::string& file) 
             return decodePng(bytes, file);
         case ImageFormat::kJpeg:
             return decodeJpeg(bytes, file);
+        case ImageFormat::kExr:
         case ImageFormat::kUnknown:
             break;
     }
@@ -50,6 +55,7 @@ ImageSize imageSize(std::span<const uint8_t> bytes, const std::string& file) {
             return pngSize(bytes, file);
         case ImageFormat::kJpeg:
             return jpegSize(bytes, file);
+        case ImageFormat::kExr:
         case ImageFormat::kUnknown:
             break;
     }

@@ -11,11 +11,12 @@
 
 namespace vitrine {
 
-enum class ImageFormat { kUnknown, kPng, kJpeg };
+enum class ImageFormat { kUnknown, kPng, kJpeg, kExr };
 
 ImageFormat imageFormat(std::span<const uint8_t> bytes);
 
-/// A PNG or JPEG as sRGB pixels. Throws InputError, placed at `file`; see png.hpp and jpeg.hpp.
+/// A PNG or JPEG as sRGB pixels. Throws InputError, placed at `file`; see png.hpp and jpeg.hpp. An
+/// EXR has linear light instead and is refused; see exr.hpp.
 ImageRgba8 decodeImage(std::span<const uint8_t> bytes, const std::string& file);
 
 /// Width and height by the header alone, which may still lie about what follows; neither is over

@@ -13,10 +13,11 @@ void packCamera(const Camera& camera, int width, int height, FrameBlock& block) 
     const glm::vec3 up = glm::cross(right, forward);
     const float halfHeight = camera.fov > 0 ? std::tan(glm::radians(camera.fov) / 2)
                                             : 0.5f * kSensorWidth / camera.focalLength / aspect;
+    const float halfWidth = halfHeight * aspect;
     block.cameraEye = glm::vec4(camera.eye, 2 * halfHeight / static_cast<float>(height));
     block.cameraForward = glm::vec4(forward, 0);
-    block.cameraRight = glm::vec4(right * halfHeight * aspect, 0);
-    block.cameraUp = glm::vec4(up * halfHeight, 0);
+    block.cameraRight = glm::vec4(right * halfWidth, halfWidth * halfWidth);
+    block.cameraUp = glm::vec4(up * halfHeight, halfHeight * halfHeight);
     block.image.x = width;
     block.image.y = height;
 }
@@ -25,9 +26,8 @@ glm::mat4 packProjection(const FrameBlock& block) {
     constexpr float kNear = 1e-3f;
     const glm::vec3 eye(block.cameraEye), forward(block.cameraForward);
     // Rows that give the coordinates on the image plane, from -1 to 1 over the picture.
-    const glm::vec3 x =
-        glm::vec3(block.cameraRight) / glm::dot(block.cameraRight, block.cameraRight);
-    const glm::vec3 y = glm::vec3(block.cameraUp) / glm::dot(block.cameraUp, block.cameraUp);
+    const glm::vec3 right(block.cameraRight), up(block.cameraUp);
+    const glm::vec3 x = right / glm::dot(right, right), y = up / glm::dot(up, up);
     const glm::vec2 shift =
         2.0f * glm::vec2(block.jitter) / glm::vec2(block.image.x, block.image.y);
     const glm::vec3 rowX = x - shift.x * forward;

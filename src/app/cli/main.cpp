@@ -35,7 +35,9 @@ void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen)
     CLI::App* c = app.add_subcommand("render", "draw a scene into a picture");
     c->add_option("FILE", o.file, "a scene (.toml), a model (.obj) or a field (.sdf.glsl)")
         ->required();
-    c->add_option("-o,--output", o.output, "name.png, or name_####.png with --frames")->required();
+    c->add_option("-o,--output", o.output,
+                  "name.png, or name.exr with layers; name_####.png with --frames")
+        ->required();
     c->add_option("-r,--resolution", o.resolution, "width x height")->capture_default_str();
     c->add_option("--spp", o.samples, "samples a pixel")->check(CLI::Range(1, 65536));
     c->add_option("--time", o.time, "seconds")->check(CLI::Range(-1e6, 1e6))->check(kFinite);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/exr_layers.hpp"
 #include "app/cli/frames.hpp"
 #include "app/cli/progress.hpp"
 #include "base/file.hpp"
@@ -21,8 +22,23 @@ Backend parseBackend(const std::string& name) {
 }
 
 void checkOutputName(const std::string& output) {
-    if (!endsWith(output, ".png"))
-        throw UsageError(fmt::format("-o: '{}' must end in .png", output));
+    if (!endsWith(output, ".png") && !endsWith(output, ".exr"))
+        throw UsageError(fmt::format("-o: '{}' must end in .png or .exr", output));
+}
+
+struct FileNotes {
+    std::string software, title;
+};
+
+/// The bytes of a picture file, of the kind that the name asks for.
+std::vector<uint8_t> drawFile(Renderer& renderer, const PictureRequest& picture,
+                              const std::string& file, const FileNotes& notes,
+                              const std::function<void(int, int)>& progress) {
+    if (endsWith(file, ".exr"))
+        return encodeLayers(renderer.drawLayers(picture, progress),
+                            {{"software", notes.software}, {"title", notes.title}});
+    return encodePng(renderer.draw(picture, progress),
+                     {{"Software", notes.software}, {"Title", notes.title}});
 }
 
 nlohmann::ordered_json describe(const LoadedScene& loaded, Renderer& renderer,
@@ -89,9 +105,9 @@ int render(const RenderOptions& options) {
         const int frame = range.first + i * range.step;
         picture.time = several ? static_cast<float>(frame) / options.fps : options.time;
         const std::string file = several ? frameFileName(options.output, frame) : options.output;
-        const ImageRgba8 image = renderer.draw(picture, [&](int, int) { progress.step(file); });
-        writeFileAtomically(file, encodePng(image, {{"Software", "Vitrine " + options.version},
-                                                    {"Title", loaded.scene.title}}));
+        writeFileAtomically(file, drawFile(renderer, picture, file,
+                                           {"Vitrine " + options.version, loaded.scene.title},
+                                           [&](int, int) { progress.step(file); }));
     }
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (!options.json.empty())

@@ -88,6 +88,18 @@ const Scene& Renderer::sceneAt(float time) {
 
 ImageRgba8 Renderer::draw(const PictureRequest& request,
                           const std::function<void(int, int)>& progress) {
+    drawSamples(request, false, progress);
+    return frame_->picture();
+}
+
+LayerImages Renderer::drawLayers(const PictureRequest& request,
+                                 const std::function<void(int, int)>& progress) {
+    drawSamples(request, true, progress);
+    return frame_->layers();
+}
+
+void Renderer::drawSamples(const PictureRequest& request, bool layers,
+                           const std::function<void(int, int)>& progress) {
     const Scene& scene = sceneAt(request.time);
     const RenderSettings& settings = scene.render;
     FrameRequest frame;
@@ -102,13 +114,13 @@ ImageRgba8 Renderer::draw(const PictureRequest& request,
     frame.view = request.view;
     frame.treeLevel = request.treeLevel;
     frame.primary = request.primary;
+    frame.layers = layers;
     try {
         frame_->begin(frame);
         for (int i = 0; i < frame.samples; ++i) {
             frame_->drawSample();
             if (progress) progress(i + 1, frame.samples);
         }
-        return frame_->picture();
     } catch (const InputError&) {
         // One program reports one snippet's mistakes at best: ask each snippet by itself.
         checkSnippets(*context_, loaded_.assets).throwIfErrors();

@@ -59,6 +59,9 @@ class Renderer {
     /// The scene at the request's time. `progress` is called after each sample with the samples
     /// done and to do.
     ImageRgba8 draw(const PictureRequest& request, const std::function<void(int, int)>& progress);
+    /// The same picture as data.
+    LayerImages drawLayers(const PictureRequest& request,
+                           const std::function<void(int, int)>& progress);
     [[nodiscard]] FrameStatistics statistics() { return frame_->statistics(); }
     [[nodiscard]] const GpuInfo& gpu() const { return context_->info(); }
     [[nodiscard]] Backend backend() const { return frame_->backend(); }
@@ -67,6 +70,9 @@ class Renderer {
   private:
     const Scene& sceneAt(float time);
     void show(const Scene& scene);
+    /// Leaves the samples in the frame.
+    void drawSamples(const PictureRequest& request, bool layers,
+                     const std::function<void(int, int)>& progress);
 
     const LoadedScene& loaded_;
     std::optional<Scene> changed_;
