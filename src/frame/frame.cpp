@@ -12,8 +12,7 @@ namespace vitrine {
 
 Frame::Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters)
     : context_(context.info(),
-               ProgramSet(context.info(), backend, scene.shaders,
-                          {scene.hasMeshes, scene.hasFields, counters, scene.textures.any()}),
+               ProgramSet(context.info(), backend, scene.shaders, featuresOf(scene, counters)),
                counters),
       rasterPossible_(context.info().clipControl),
       maxSide_(context.info().maxTextureSize) {
@@ -46,6 +45,8 @@ void Frame::begin(const FrameRequest& request) {
     packCamera(request.camera, width, height, block);
     block.shading.x = request.time;
     block.image.w = static_cast<int>(request.view);
+    block.path.x = static_cast<int>(request.mode);
+    block.path.y = request.bounces;
     block.sampling.y = request.samples;
     block.sampling.w = request.seed;
     // Enough rays for ambient occlusion that a picture of few samples is not speckled.

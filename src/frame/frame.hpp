@@ -15,6 +15,12 @@ namespace vitrine {
 /// Who finds what the camera sees.
 enum class Primary { kRaster, kTrace };
 
+/// How light is followed, in the order of VITRINE_MODE_* (shaders/shared/limits.glsl).
+enum class RenderMode {
+    kHybrid,     ///< mirrors and glass are followed, diffuse light between surfaces is ambient
+    kReference,  ///< paths: all light there is, free of noise after enough samples
+};
+
 struct FrameRequest {
     int width = 640, height = 400;
     int ssaa = 1;  ///< what is drawn is this many times as wide and high, then averaged
@@ -26,6 +32,7 @@ struct FrameRequest {
     View view = View::kColor;
     int treeLevel = 0;  ///< of View::kBvh
     Primary primary = Primary::kRaster;
+    RenderMode mode = RenderMode::kHybrid;
 };
 
 /// Sums over all samples drawn since begin(). Ray counts need counters.

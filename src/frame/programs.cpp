@@ -47,12 +47,25 @@ const PassShader& findPass(const std::string& name) {
     return *found;
 }
 
+ProgramFeatures featuresOf(const PackedScene& scene, bool counters) {
+    ProgramFeatures features;
+    features.meshes = scene.hasMeshes;
+    features.fields = scene.hasFields;
+    features.counters = counters;
+    features.textures = scene.textures.any();
+    features.layers = scene.hasLayers;
+    features.transmission = scene.hasTransmission;
+    return features;
+}
+
 ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, ShaderStage stage,
                     Dialect dialect) {
     ShaderKey key{pass, stage, dialect, {}};
     const bool traces = findPass(pass).traces;
     key.defines["COUNTERS"] = traces && features.counters ? 1 : 0;
     key.defines["HAS_TEXTURES"] = features.textures ? 1 : 0;
+    key.defines["HAS_LAYERS"] = features.layers ? 1 : 0;
+    key.defines["HAS_TRANSMISSION"] = features.transmission ? 1 : 0;
     if (traces) {
         const bool meshes = features.meshes && pass != "visibility_fields";
         key.defines["HAS_MESHES"] = meshes ? 1 : 0;

@@ -9,7 +9,7 @@
 
 #include "gpu/context.hpp"
 #include "gpu/program.hpp"
-#include "pack/generate.hpp"
+#include "pack/pack_scene.hpp"
 
 namespace vitrine {
 
@@ -21,7 +21,10 @@ struct ProgramFeatures {
     bool fields = true;
     bool counters = false;
     bool textures = false;
+    bool layers = false;        ///< varnish, sheen
+    bool transmission = false;  ///< glass
 };
+ProgramFeatures featuresOf(const PackedScene& scene, bool counters);
 
 /// A pass's shader under the features that concern it, for any stage and dialect.
 ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, ShaderStage stage,

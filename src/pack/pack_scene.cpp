@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "bvh/build.hpp"
 #include "bvh/instance.hpp"
+#include "pack/albedo_table.hpp"
 #include "pack/parameters.hpp"
 
 namespace vitrine {
@@ -106,22 +107,36 @@ class Packer {
             }
             addMaterial(scene_.materials[i], snippet, parameters, out_.textures.slots[i]);
         }
+        for (const auto& snippet : materialSnippets_) {
+            out_.hasLayers |= mentions(*snippet, {"clearcoat", "sheenColor"});
+            out_.hasTransmission |= mentions(*snippet, {"transmission"});
+        }
         addMaterial(Material{}, 0, 0, {});  // for nodes that name none
         out_.materialNames.back() = "(default)";
+    }
+
+    /// Whether a snippet may set one of these members.
+    static bool mentions(const Snippet& snippet, std::initializer_list<std::string_view> words) {
+        return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+            return snippet.source.find(word) != std::string::npos;
+        });
     }
 
     void addMaterial(const Material& m, int snippet, int parameters,
                      const PackedTextures::Slots& slots) {
         out_.materialNames.push_back(m.name);
+        out_.hasLayers |= m.clearcoat > 0 || m.sheenColor.rgb != glm::vec3(0);
+        out_.hasTransmission |= m.transmission > 0;
         materials_.emplace_back(m.baseColor.rgb, m.metallic);
         materials_.emplace_back(m.emission.rgb * m.emissionStrength, m.roughness);
         materials_.push_back(texel(snippet, parameters, flagsOf(m)));
+        materials_.back().w = m.specular;
         materials_.push_back(texel(slots.first, slots.count));
         materials_.back().z = m.opacity;
         materials_.back().w = m.alphaCutoff;
         materials_.emplace_back(m.specularColor.rgb, m.ior);
         materials_.emplace_back(absorptionOf(m), m.transmission);
-        materials_.emplace_back(m.clearcoat, m.clearcoatRoughness, m.specular, 0.0f);
+        materials_.emplace_back(m.clearcoat, m.clearcoatRoughness, 0.0f, 0.0f);
         materials_.emplace_back(m.sheenColor.rgb, m.sheenRoughness);
     }
 
@@ -301,6 +316,7 @@ class Packer {
         out_.block.tables.y = append(materials_);
         out_.block.tables.z = append(lights_);
         out_.block.tables.w = append(parameters_);
+        out_.block.path.w = append(albedoTable());
         // Indices travel as floats, which are exact up to here.
         constexpr size_t kLargestIndex = 1u << 24;
         if (std::max({out_.slots.size() / VITRINE_SLOT_TEXELS, out_.triangles.size(),

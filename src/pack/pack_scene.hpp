@@ -33,6 +33,8 @@ struct PackedScene {
     /// Everything but the camera, the sample and the view.
     FrameBlock block{};
     bool hasMeshes = false, hasFields = false;
+    bool hasLayers = false;        ///< materials with varnish or sheen
+    bool hasTransmission = false;  ///< materials that light passes
     PackedTextures textures;
 
     std::vector<PackedInstance> instances;

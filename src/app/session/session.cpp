@@ -75,6 +75,7 @@ ImageRgba8 Renderer::draw(const PictureRequest& request,
     frame.view = request.view;
     frame.treeLevel = request.treeLevel;
     frame.primary = request.primary;
+    frame.mode = request.mode;
     try {
         frame_->begin(frame);
         for (int i = 0; i < frame.samples; ++i) {
