@@ -86,7 +86,7 @@ TEST_F(ShaderDialects, AllVariantsAreAccepted) {
     const GeneratedShaders generated = snippetsOfTheLessons();
     int compiled = 0;
     ProgramFeatures everything{true, true, true, true};
-    everything.layers = everything.transmission = true;
+    everything.layers = everything.transmission = everything.filters = everything.culling = true;
     for (const PassShader& pass : passShaders())
         for (const Target& target : kTargets) {
             if (!entryExists(pass.name, target.stage)) continue;

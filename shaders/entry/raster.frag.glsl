@@ -6,5 +6,9 @@ flat in int triangle;
 layout(location = 0) out uvec4 outRecord;
 
 void main() {
-    outRecord = rasterRecord(ivec2(gl_FragCoord.xy), triangle, barycentrics, 1.0 / gl_FragCoord.w);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    outRecord = rasterRecord(pixel, triangle, barycentrics, 1.0 / gl_FragCoord.w);
+#if HAS_FILTERS
+    if (rasterPasses(pixel, outRecord)) discard;
+#endif
 }

@@ -24,6 +24,9 @@ Bounce bouncePass(ivec2 pixel) {
     if (!isSurface(record)) return ended;
     Path path = loadPath(pixel);
     Hit hit = loadHit(record, path.ray);
+#if HAS_FILTERS
+    filterPixel = pixel;
+#endif
     int bounce = frame.sampling.z;
     vec2 u = random2(pixel, frame.sampling.x, kDimensionBounce + bounce, frame.sampling.w);
     vec2 choice = random2(pixel, frame.sampling.x, kDimensionChoice + bounce, frame.sampling.w);

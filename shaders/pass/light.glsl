@@ -60,7 +60,9 @@ vec3 shade(uvec4 record, Path path, ivec2 pixel) {
         uvec4 obstacle = missRecord();
         if (distance > 0.0)
             obstacle = trace(Ray(hit.rayOrigin, probe.direction, hit.radius), distance);
-        vec3 light = isSurface(obstacle) ? probe.blocked : probe.open;
+        vec3 light = isSurface(obstacle) || distance <= 0.0
+                         ? probe.blocked
+                         : mix(probe.blocked, probe.open, transmittance);
         if (i < lights) sum += light;
         else ambientSum += light;
     }

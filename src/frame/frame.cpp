@@ -24,6 +24,7 @@ void Frame::update(const PackedScene& scene) {
     context_.block = scene.block;
     instances_ = scene.instances;
     fieldRoot_ = scene.fieldRoot;
+    transmissive_ = scene.hasTransmission;
 }
 
 void Frame::begin(const FrameRequest& request) {
@@ -54,7 +55,7 @@ void Frame::begin(const FrameRequest& request) {
     if (request.view == View::kBvh) treeBoxes_.upload(treeLevel(instances_, request.treeLevel));
     if (!resized) return;
     const auto image = [&](TexelFormat f) { return Texture(width, height, f); };
-    for (PathImages& path : paths_) path.allocate(width, height);
+    for (size_t i = 0; i < (transmissive_ ? 3 : 2); ++i) paths_[i].allocate(width, height);
     for (Texture& t : radiance_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : mean_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : context_.counters) t = image(TexelFormat::kRgba32ui);
@@ -91,7 +92,8 @@ void Frame::findFirstHits() {
         if (!instances_[i].field)
             draws.push_back({clipFromWorld * instances_[i].worldFromObject, static_cast<int>(i),
                              instances_[i].firstTriangle,
-                             static_cast<int>(instances_[i].triangles)});
+                             static_cast<int>(instances_[i].triangles), instances_[i].culled,
+                             glm::determinant(glm::mat3(instances_[i].worldFromObject)) < 0});
     const bool fields = fieldRoot_ >= 0;
     rasterPass(context_, draws, depth_, paths_[fields ? 1 : 0].records);
     if (fields) visibilityFieldsPass(context_, fieldRoot_, paths_[1].records, paths_[0].records);
@@ -101,15 +103,30 @@ void Frame::findFirstHits() {
 void Frame::followPaths() {
     const bool firstHitOnly = request_.view == View::kDirect || request_.view == View::kShadow;
     const bool reflectionOnly = request_.view == View::kReflection;
+    context_.block.path.z = transmissive_ ? VITRINE_SPLIT_REFLECT : VITRINE_SPLIT_NONE;
     if (reflectionOnly)
         radiance_[0].clear();
     else
         lightPass(context_, paths_[0], black_, radiance_[0]);
-    for (int bounce = 0; bounce < request_.bounces && !firstHitOnly; ++bounce) {
-        bouncePass(context_, paths_[0], paths_[1]);
-        lightPass(context_, paths_[1], radiance_[0], radiance_[1]);
-        std::swap(paths_[0], paths_[1]);
+    if (firstHitOnly) return;
+    followBounces();
+    if (!transmissive_ || reflectionOnly) return;
+    // The first glass both mirrors and lets through, without noise; what stands behind chooses.
+    context_.block.path.z = VITRINE_SPLIT_TRANSMIT;
+    context_.block.sampling.z = 0;
+    followBounces();
+}
+
+/// From the first hits in paths_[0], which scenes with glass need twice and which stay there then.
+void Frame::followBounces() {
+    const PathImages* from = &paths_[0];
+    PathImages *to = &paths_[1], *next = &paths_[transmissive_ ? 2 : 0];
+    for (int bounce = 0; bounce < request_.bounces; ++bounce) {
+        bouncePass(context_, *from, *to);
+        lightPass(context_, *to, radiance_[0], radiance_[1]);
         std::swap(radiance_[0], radiance_[1]);
+        from = to;
+        std::swap(to, next);
     }
 }
 

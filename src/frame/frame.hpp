@@ -65,18 +65,20 @@ class Frame {
   private:
     void findFirstHits();
     void followPaths();
+    void followBounces();
     void addCounts();
 
     PassContext context_;
     FrameRequest request_;
     int sample_ = 0;
-    std::array<PathImages, 2> paths_;
+    std::array<PathImages, 3> paths_;
     std::array<Texture, 2> radiance_, mean_;
     Texture black_, picture_;
     DepthImage depth_;
     std::vector<PackedInstance> instances_;
     TreeBoxes treeBoxes_;
     int fieldRoot_ = -1;
+    bool transmissive_ = false;  ///< there is glass
     bool rasterPossible_;
     int maxSide_;
     FrameStatistics statistics_;

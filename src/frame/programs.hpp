@@ -23,6 +23,8 @@ struct ProgramFeatures {
     bool textures = false;
     bool layers = false;        ///< varnish, sheen
     bool transmission = false;  ///< glass
+    bool filters = false;       ///< surfaces that let rays pass
+    bool culling = false;       ///< meshes not seen from behind
 };
 ProgramFeatures featuresOf(const PackedScene& scene, bool counters);
 

@@ -263,6 +263,27 @@ class Packer {
         return static_cast<int>(layout_.addInstances(buildBvh(boxes, options), numbers));
     }
 
+    /// VITRINE_INSTANCE_* by the materials of the parts, a list that starts here.
+    int instanceFlags(int firstOfList, bool field) {
+        bool filtered = false, allCulled = true, someCulled = false;
+        for (auto i = static_cast<size_t>(firstOfList); i < materialLists_.size(); ++i) {
+            const auto m = static_cast<size_t>(materialLists_[i].x);
+            const glm::vec4* texels = &materials_[m * VITRINE_MATERIAL_TEXELS];
+            const int flags = static_cast<int>(texels[2].z);
+            const bool glass = texels[5].w > 0;
+            filtered |= glass || (flags & (VITRINE_ALPHA_MASK | VITRINE_ALPHA_BLEND)) != 0;
+            const bool culled = (flags & VITRINE_MATERIAL_SINGLE_SIDED) != 0 && !glass;
+            allCulled &= culled;
+            someCulled |= culled;
+        }
+        // Parts of both kinds, or fields, whose backs are met only by rays inside of them.
+        if (someCulled && (!allCulled || field)) filtered = true;
+        const bool culled = allCulled && !field;
+        out_.hasFilters |= filtered;
+        out_.hasCulling |= culled;
+        return (filtered ? VITRINE_INSTANCE_FILTERED : 0) | (culled ? VITRINE_INSTANCE_CULLED : 0);
+    }
+
     void addInstance(const Node& node, const glm::mat4& worldFromObject,
                      const std::shared_ptr<const MeshAsset>& mesh,
                      const std::shared_ptr<const Snippet>& field) {
@@ -287,6 +308,8 @@ class Packer {
             precision = 4e-6f * std::max(size.x, std::max(size.y, size.z));
             out_.hasFields = true;
         }
+        const int flags = instanceFlags(static_cast<int>(indices.z), field != nullptr);
+        indices.x += static_cast<float>(flags);
         for (const glm::vec4& row : rowsOf(glm::inverse(worldFromObject)))
             instances_.push_back(row);
         for (const glm::vec4& row : rowsOf(worldFromObject)) instances_.push_back(row);
@@ -298,7 +321,7 @@ class Packer {
         out_.worldBox.grow(worldBox);
         out_.instances.push_back({node.name, worldFromObject, worldBox, field != nullptr,
                                   firstTriangle, mesh != nullptr ? mesh->mesh.triangles.size() : 0,
-                                  box, mesh});
+                                  box, mesh, (flags & VITRINE_INSTANCE_CULLED) != 0});
     }
 
     /// Joins the tables; material lists get addresses of the whole.

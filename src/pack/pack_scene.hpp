@@ -22,6 +22,7 @@ struct PackedInstance {
     size_t triangles = 0;
     Aabb objectBox;                         ///< of the mesh, or the bounds of the field
     std::shared_ptr<const MeshAsset> mesh;  ///< null: a field
+    bool culled = false;  ///< not seen from behind
 };
 
 struct PackedScene {
@@ -35,6 +36,8 @@ struct PackedScene {
     bool hasMeshes = false, hasFields = false;
     bool hasLayers = false;        ///< materials with varnish or sheen
     bool hasTransmission = false;  ///< materials that light passes
+    bool hasFilters = false;       ///< instances that let rays pass: holes, veils, glass
+    bool hasCulling = false;       ///< meshes that are not seen from behind
     PackedTextures textures;
 
     std::vector<PackedInstance> instances;
