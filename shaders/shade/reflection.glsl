@@ -101,13 +101,17 @@ Chances chancesOf(Surface s) {
 }
 
 // Of a microfacet that reflects this much: the chance that a ray is reflected rather than refracted.
+// In hybrid mode a way that is worth less than the threshold is not taken: it would be noise.
 float reflectChance(Surface s, vec3 fresnel) {
 #if HAS_TRANSMISSION
     if (s.transmission > 0.0) {
         if (splitsHere()) return frame.path.z == VITRINE_SPLIT_REFLECT ? 1.0 : 0.0;
         float reflected = maxComponent(fresnel);
         float refracted = maxComponent(max(1.0 - fresnel, 0.0) * s.through);
-        return reflected / max(reflected + refracted, 1.0e-6);
+        float chance = reflected / max(reflected + refracted, 1.0e-6);
+        if (isReference()) return chance;
+        float least = frame.shading.y;
+        return chance < least ? 0.0 : chance > 1.0 - least ? 1.0 : chance;
     }
 #endif
     return 1.0;
