@@ -135,6 +135,20 @@ TEST_F(GlassTest, AnotherIndexIsNoticed) {
             kMostError);
 }
 
+TEST_F(GlassTest, SnippetsMakeGlass) {
+    for (const bool field : {false, true}) {
+        test::TestScene scene = ballUnderTheSky(field, Material{});
+        scene.scene.nodes[0].material.name =
+            "material" + std::to_string(scene.addMaterial(
+                             Material{},
+                             "void material(inout Surface s) {\n"
+                             "s.baseColor = vec3(1.0); s.roughness = 0.0; s.transmission = 1.0;\n"
+                             "s.ior = 1.5; s.absorption = vec3(0.6, 0.25, 0.0); }"));
+        const Errors errors = errorsOf(scene, Backend::kAuto, RenderMode::kHybrid, kIndex);
+        EXPECT_LT(errors.meanSize, kMostError) << (field ? "field" : "mesh");
+    }
+}
+
 TEST_F(GlassTest, ThinGlassBendsNothing) {
     test::TestScene scene = ballUnderTheSky(false, glass());
     scene.scene.materials[0].thin = true;

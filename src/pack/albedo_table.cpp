@@ -9,7 +9,7 @@
 namespace vitrine {
 namespace {
 
-constexpr int kSamples = 24;  // along each axis
+constexpr int kSamples = 16;  // along each axis
 constexpr float kLeastCosine = 0.01f;
 
 /// Both parts of a GGX lobe, by sampling the normals that the viewer sees (Heitz 2018): what is

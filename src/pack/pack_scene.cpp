@@ -263,6 +263,11 @@ class Packer {
         return static_cast<int>(layout_.addInstances(buildBvh(boxes, options), numbers));
     }
 
+    /// `number`: of a material's snippet, 0 for none.
+    [[nodiscard]] bool snippetMakesGlass(size_t number) const {
+        return number > 0 && mentions(*materialSnippets_[number - 1], {"transmission"});
+    }
+
     /// VITRINE_INSTANCE_* by the materials of the parts, a list that starts here.
     int instanceFlags(int firstOfList, bool field) {
         bool filtered = false, allCulled = true, someCulled = false;
@@ -270,7 +275,8 @@ class Packer {
             const auto m = static_cast<size_t>(materialLists_[i].x);
             const glm::vec4* texels = &materials_[m * VITRINE_MATERIAL_TEXELS];
             const int flags = static_cast<int>(texels[2].z);
-            const bool glass = texels[5].w > 0;
+            const bool glass =
+                texels[5].w > 0 || snippetMakesGlass(static_cast<size_t>(texels[2].x));
             filtered |= glass || (flags & (VITRINE_ALPHA_MASK | VITRINE_ALPHA_BLEND)) != 0;
             const bool culled = (flags & VITRINE_MATERIAL_SINGLE_SIDED) != 0 && !glass;
             allCulled &= culled;
