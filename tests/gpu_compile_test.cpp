@@ -31,7 +31,7 @@ double secondsOf(const std::function<void()>& work) {
 void measurePasses(const Context& gpu, const LoadedScene& loaded, Backend backend, bool counters) {
     PassContext context(gpu.info(),
                         ProgramSet(gpu.info(), backend, loaded.packed.shaders,
-                                   {loaded.packed.hasMeshes, loaded.packed.hasFields, counters}),
+                                   featuresOf(loaded.packed, counters)),
                         counters);
     context.scene.upload(loaded.packed);
     context.block = loaded.packed.block;

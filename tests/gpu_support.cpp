@@ -73,10 +73,17 @@ int TestScene::addField(const std::string& snippet) {
     return static_cast<int>(scene.shapes.size()) - 1;
 }
 
-int TestScene::addMaterial(const Material& material) {
+int TestScene::addMaterial(const Material& material, const std::string& snippet) {
     scene.materials.push_back(material);
     scene.materials.back().name = "material" + std::to_string(scene.materials.size() - 1);
     assets_.materials.push_back(nullptr);
+    if (!snippet.empty()) {
+        Diagnostics diagnostics;
+        auto parsed = parseSnippet(snippet, "test.mat.glsl", SnippetKind::kMaterial, diagnostics);
+        diagnostics.throwIfErrors();
+        assets_.materials.back() = std::make_shared<Snippet>(std::move(*parsed));
+        scene.materials.back().snippet.name = "test.mat.glsl";
+    }
     auto& pictures = assets_.pictures.emplace_back();
     for (const MaterialTexture* texture : materialTextures(material))
         pictures.push_back(texture->image);

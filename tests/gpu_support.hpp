@@ -46,7 +46,8 @@ class TestScene {
     int addMesh(vitrine::Mesh mesh);
     int addMesh(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles);
     int addField(const std::string& snippet);
-    int addMaterial(const Material& material);
+    /// `snippet`: text of a .mat.glsl file, or nothing.
+    int addMaterial(const Material& material, const std::string& snippet = "");
     /// The node becomes instance number nodes - 1 of the records. `material` -1: the default.
     Node& add(int shape, int material = -1);
     void addSun(const glm::vec3& direction, float intensity);

@@ -85,13 +85,17 @@ class ShaderDialects : public testing::Test {
 TEST_F(ShaderDialects, AllVariantsAreAccepted) {
     const GeneratedShaders generated = snippetsOfTheLessons();
     int compiled = 0;
+    ProgramFeatures everything{true, true, true, true};
+    everything.layers = everything.transmission = everything.filters = everything.culling = true;
     for (const PassShader& pass : passShaders())
         for (const Target& target : kTargets) {
             if (!entryExists(pass.name, target.stage)) continue;
             for (const ProgramFeatures& features :
                  {ProgramFeatures{true, true, false}, ProgramFeatures{true, true, true},
-                  ProgramFeatures{true, false, false}, ProgramFeatures{false, true, false}}) {
-                if (!pass.traces && (!features.meshes || !features.fields || features.counters))
+                  ProgramFeatures{true, false, false}, ProgramFeatures{false, true, false},
+                  everything}) {
+                if (!pass.traces && !features.textures &&
+                    (!features.meshes || !features.fields || features.counters))
                     continue;
                 const ShaderKey key = shaderKey(pass.name, features, target.stage, target.dialect);
                 const std::string log = validate(assembleShader(key, generated.includes).text,

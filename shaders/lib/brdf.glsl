@@ -1,18 +1,32 @@
 // SPDX-License-Identifier: MIT
-// Metallic-roughness reflection (glTF 2.0, appendix B): GGX microfacets over Lambert.
-// Walter et al. 2007 (distribution), Heitz 2014 (Smith, height-correlated), Schlick 1994 (Fresnel).
+// Lobes of reflection. GGX: Walter et al. 2007 (distribution), Heitz 2014 (Smith, height-correlated),
+// Schlick 1994 (Fresnel). Sheen: Estevez & Kulla, Production Friendly Microfacet Sheen BRDF, 2017
+// (distribution), Neubelt & Pettineo 2013 (visibility).
 // Vectors are unit, in world space or in a frame where the normal is +z, as named.
 
-vec3 fresnelSchlick(vec3 f0, float cosine) {
+// Fresnel's reflectance is f0 + (f90 - f0) times this.
+float schlickPower(float cosine) {
     float m = clamp(1.0 - cosine, 0.0, 1.0);
     float m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    return m2 * m2 * m;
 }
 
-float ggxDistribution(float nDotH, float alpha) {
+// The sine from the cross product: from the cosine, narrow lobes would be rounded away.
+float ggxDistribution(vec3 n, vec3 h, float alpha) {
     float a2 = alpha * alpha;
-    float d = nDotH * nDotH * (a2 - 1.0) + 1.0;
+    vec3 sine = cross(n, h);
+    float d = square(dot(n, h)) * a2 + dot(sine, sine);
     return a2 / (kPi * d * d);
+}
+
+// Value of the sheen lobe, without its colour.
+float sheenLobe(vec3 n, vec3 toViewer, vec3 toLight, vec3 h, float alpha) {
+    float nDotL = max(dot(n, toLight), 0.0);
+    float nDotV = max(dot(n, toViewer), 1.0e-3);
+    vec3 sine = cross(n, h);
+    float inverse = 1.0 / alpha;
+    float distribution = (2.0 + inverse) * pow(dot(sine, sine), 0.5 * inverse) / (2.0 * kPi);
+    return distribution / (4.0 * (nDotL + nDotV - nDotL * nDotV));
 }
 
 // G2 / (4 nDotL nDotV)
@@ -26,10 +40,6 @@ float smithVisibility(float nDotL, float nDotV, float alpha) {
 float smithG1(float nDotX, float alpha) {
     float a2 = alpha * alpha;
     return 2.0 * nDotX / (nDotX + sqrt(a2 + (1.0 - a2) * nDotX * nDotX));
-}
-
-float smithG2(float nDotL, float nDotV, float alpha) {
-    return 4.0 * nDotL * nDotV * smithVisibility(nDotL, nDotV, alpha);
 }
 
 // A microfacet normal visible from v (Heitz, Sampling the GGX Distribution of Visible Normals,

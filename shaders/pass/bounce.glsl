@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// From each hit to the next: the mirror image of what lies on the way. A path ends when less than
-// `threshold` of its light would arrive.
+// From each hit to the next: the mirror image of what lies on the way, or what is seen through glass.
+// A path ends when less than `threshold` of its light would arrive; in reference mode by chance.
 #define TRACE_ANY 0
 #include "trace/trace.glsl"
 #include "shade/path.glsl"
 #include "shade/surface.glsl"
-#include "shade/reflection.glsl"
+#include "shade/next_ray.glsl"
 #include "shade/counters.glsl"
+
+// In reference mode no path ends by chance before.
+const int kSafeBounces = 3;
 
 struct Bounce {
     uvec4 record;
@@ -21,14 +24,28 @@ Bounce bouncePass(ivec2 pixel) {
     if (!isSurface(record)) return ended;
     Path path = loadPath(pixel);
     Hit hit = loadHit(record, path.ray);
-    vec2 u = random2(pixel, frame.sampling.x, kDimensionBounce + frame.sampling.z, frame.sampling.w);
-    NextRay next = sampleReflection(hit.surface, hit.geometricNormal, -path.ray.direction, u);
-    vec3 throughput = path.throughput * next.weight;
-    if (maxComponent(throughput) < max(frame.shading.y, 1.0e-6)) return ended;
-    Ray ray = Ray(hit.rayOrigin, next.direction, hit.radius);
-    return Bounce(trace(ray, kInfinity), vec4(ray.origin, ray.radius), 
-                  vec4(ray.direction, max(path.blur, highlightBlur(hit.surface))),
-                  vec4(throughput, 1.0));
+#if HAS_FILTERS
+    filterPixel = pixel;
+#endif
+    int bounce = frame.sampling.z;
+    vec2 u = random2(pixel, frame.sampling.x, kDimensionBounce + bounce, frame.sampling.w);
+    vec2 choice = random2(pixel, frame.sampling.x, kDimensionChoice + bounce, frame.sampling.w);
+    NextRay next = sampleNextRay(hit.surface, -path.ray.direction, u, choice.x);
+    vec3 throughput = path.throughput * hit.way * next.weight;
+    float left = maxComponent(throughput);
+    float least = frame.shading.y;
+    if (isReference()) {
+        // Russian roulette. Never a NaN's way on.
+        float chance = bounce < kSafeBounces ? 1.0 : clamp(left, 0.05, 1.0);
+        throughput = choice.y < chance ? throughput / chance : vec3(0.0);
+        left = maxComponent(throughput);
+        least = 0.0;
+    }
+    if (!(left >= max(least, 1.0e-6))) return ended;
+    Ray ray = Ray(next.through ? hit.behind : hit.rayOrigin, next.direction, hit.radius);
+    float blur = isReference() ? 0.0 : max(path.blur, highlightBlur(next.alpha));
+    return Bounce(trace(ray, kInfinity), vec4(ray.origin, ray.radius), vec4(ray.direction, blur),
+                  vec4(throughput, next.pdf));
 }
 
 #if COUNTERS

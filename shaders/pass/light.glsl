@@ -20,12 +20,9 @@ struct Probe {
     vec3 blocked;
 };
 
-Probe ambientProbe(Hit hit, vec3 toViewer, ivec2 pixel, int index, int count) {
+Probe ambientProbe(Hit hit, ivec2 pixel, int index, int count) {
     Surface s = hit.surface;
-    float nDotV = max(dot(s.normal, toViewer), 0.0);
-    vec3 albedo = s.baseColor * (1.0 - s.metallic) *
-                  (1.0 - fresnelSchlick(reflectanceAtNormal(s), nDotV)) * s.occlusion /
-                  float(count);
+    vec3 albedo = ambientAlbedo(s) * s.occlusion / float(count);
     float ao = frame.shading.z;
     if (ao <= 0.0) return Probe(s.normal, 0.0, albedo * environmentRadiance(s.normal), vec3(0.0));
     int sampleIndex = frame.sampling.x * count + index;
@@ -43,7 +40,7 @@ vec3 shade(uvec4 record, Path path, ivec2 pixel) {
     vec3 toViewer = -path.ray.direction;
     bool shadowView = frame.image.w == VITRINE_VIEW_SHADOW;
     int lights = frame.counts.x;
-    int ambient = shadowView ? 0 : max(1, int(frame.display.w) / (frame.sampling.z == 0 ? 1 : 4));
+    int ambient = shadowView || isReference() ? 0 : max(1, int(frame.display.w) / (frame.sampling.z == 0 ? 1 : 4));
     vec3 ambientSum = vec3(0.0);
     vec3 sum = shadowView ? vec3(0.0) : hit.surface.emission;
     for (int i = 0; i < lights + ambient; i++) {
@@ -51,25 +48,26 @@ vec3 shade(uvec4 record, Path path, ivec2 pixel) {
         Probe probe;
         if (i < lights) {
             LightSample light = sampleLight(i, hit.surface.position);
-            vec3 answer = reflectLight(hit.surface, toViewer, light.direction, path.blur) *
+            vec3 answer = evaluateReflection(hit.surface, toViewer, light.direction,
+                                             max(path.blur, kLeastLightAlpha), true).value *
                           light.irradiance;
-            // Behind the surface that is really there, whatever its interpolated normal says.
-            if (dot(light.direction, hit.geometricNormal) <= 0.0) answer = vec3(0.0);
             if (shadowView) answer = vec3(answer == vec3(0.0) ? 0.0 : 1.0 / float(lights));
             probe = Probe(light.direction, light.distance, answer, vec3(0.0));
         } else {
-            probe = ambientProbe(hit, toViewer, pixel, i - lights, ambient);
+            probe = ambientProbe(hit, pixel, i - lights, ambient);
         }
         float distance = maxComponent(probe.open) > 0.0 ? probe.distance : 0.0;
         uvec4 obstacle = missRecord();
         if (distance > 0.0)
             obstacle = trace(Ray(hit.rayOrigin, probe.direction, hit.radius), distance);
-        vec3 light = isSurface(obstacle) ? probe.blocked : probe.open;
+        vec3 light = isSurface(obstacle) || distance <= 0.0
+                         ? probe.blocked
+                         : mix(probe.blocked, probe.open, transmittance);
         if (i < lights) sum += light;
         else ambientSum += light;
     }
     // More occlusion than is natural (ao above 1) must not take away other light.
-    return sum + max(ambientSum, 0.0);
+    return hit.way * (sum + max(ambientSum, 0.0));
 }
 
 vec4 lightPass(ivec2 pixel) {

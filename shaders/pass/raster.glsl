@@ -4,6 +4,7 @@
 #include "scene/fetch.glsl"
 #include "lib/hit_record.glsl"
 #include "shade/path.glsl"
+#include "trace/filter.glsl"
 
 uniform mat4 clipFromObject;
 uniform int drawnInstance;
@@ -32,3 +33,19 @@ uvec4 rasterRecord(vec2 position, int triangle, vec2 barycentrics, float depth) 
     float t = depth * sqrt(1.0 + p.x * p.x * frame.cameraRight.w + p.y * p.y * frame.cameraUp.w);
     return packHit(uint(drawnInstance), uint(triangle), packBarycentrics(barycentrics), t);
 }
+
+#if HAS_FILTERS
+// Is there a hole, a veil or a back at this hit? Then the rasteriser passes it as a ray does.
+bool rasterPasses(ivec2 pixel, uvec4 record) {
+    filterPixel = pixel;
+    int flags = fetchInstance(drawnInstance).flags;
+    bool pending = (flags & VITRINE_INSTANCE_FILTERED) != 0;
+    bool passes = false;
+    // A loop, because the lanes of a CPU skip nothing else.
+    while (pending && mayLoop()) {
+        pending = false;
+        passes = !stopsRay(loadBarrier(record, cameraRay(pixelPosition(pixel))), record);
+    }
+    return passes;
+}
+#endif

@@ -5,7 +5,12 @@
 #include "shade/path.glsl"
 #include "shade/counters.glsl"
 
-uvec4 visibilityPass(ivec2 pixel) { return trace(cameraRay(pixelPosition(pixel)), kInfinity); }
+uvec4 visibilityPass(ivec2 pixel) {
+#if HAS_FILTERS
+    filterPixel = pixel;
+#endif
+    return trace(cameraRay(pixelPosition(pixel)), kInfinity);
+}
 
 #if COUNTERS
 uvec4 visibilityCounters(ivec2 pixel) { return addCounters(uvec4(0u), 0u); }

@@ -6,6 +6,9 @@
 #include "shade/counters.glsl"
 
 uvec4 visibilityFieldsPass(ivec2 pixel) {
+#if HAS_FILTERS
+    filterPixel = pixel;
+#endif
     uvec4 mesh = texelFetch(records, pixel, 0);
     float nearest = isSurface(mesh) ? recordDistance(mesh) : kInfinity;
     uvec4 field = trace(cameraRay(pixelPosition(pixel)), nearest);

@@ -45,6 +45,7 @@ struct Instance {
     vec4 objectFromWorld[3];  // rows of an affine matrix
     vec4 worldFromObject[3];
     int kind;                 // VITRINE_KIND_*
+    int flags;                // VITRINE_INSTANCE_*
     int shape;                // mesh: root slot of its tree; field: number of the field
     int materials;            // index of part 0's material in the material lists
     int parameters;           // mesh: first triangle; field: first parameter
@@ -66,7 +67,8 @@ Instance fetchInstance(int instance) {
     vec4 indices = fetchTable(i + 6);
     vec4 low = fetchTable(i + 7);
     vec4 high = fetchTable(i + 8);
-    result.kind = int(indices.x);
+    result.kind = int(indices.x) & 1;
+    result.flags = int(indices.x);
     result.shape = int(indices.y);
     result.materials = int(indices.z);
     result.parameters = int(indices.w);

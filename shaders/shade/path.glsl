@@ -7,18 +7,21 @@
 uniform usampler2D records;
 uniform sampler2D pathOrigin;      // xyz: origin; w: radius of the cone
 uniform sampler2D pathDirection;   // xyz: unit; w: blur
-uniform sampler2D pathThroughput;  // rgb
+uniform sampler2D pathThroughput;  // rgb; w: pdf
 
 struct Path {
     Ray ray;
     vec3 throughput;
     float blur;  // width of the highlights that can be told from noise along this path
                  // (after Jendersie & Grosch, Microfacet Model Regularization, EGSR 2019)
+    float pdf;   // density, a steradian, with which the last bounce took this direction; 0: it had
+                 // no choice (camera ray, mirror, glass), and nothing else finds what lies there
 };
 
 // Uses of random numbers, so that no two share one.
 const int kDimensionAmbient = 16;  // and 15 more
 const int kDimensionBounce = 64;   // and one a bounce
+const int kDimensionChoice = 128;  // and one a bounce: of a lobe, and whether the path goes on
 
 // For what takes one point a sample.
 vec2 random2(ivec2 pixel, int sampleIndex, int dimension, int seed) {
@@ -28,9 +31,9 @@ vec2 random2(ivec2 pixel, int sampleIndex, int dimension, int seed) {
 vec2 pixelPosition(ivec2 pixel) { return vec2(pixel) + 0.5 + frame.jitter.xy; }
 
 Path loadPath(ivec2 pixel) {
-    if (frame.sampling.z == 0) return Path(cameraRay(pixelPosition(pixel)), vec3(1.0), 0.0);
+    if (frame.sampling.z == 0) return Path(cameraRay(pixelPosition(pixel)), vec3(1.0), 0.0, 0.0);
     vec4 origin = texelFetch(pathOrigin, pixel, 0);
     vec4 direction = texelFetch(pathDirection, pixel, 0);
-    return Path(Ray(origin.xyz, direction.xyz, origin.w), texelFetch(pathThroughput, pixel, 0).rgb,
-                direction.w);
+    vec4 throughput = texelFetch(pathThroughput, pixel, 0);
+    return Path(Ray(origin.xyz, direction.xyz, origin.w), throughput.rgb, direction.w, throughput.w);
 }

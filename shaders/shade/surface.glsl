@@ -3,7 +3,7 @@
 #include "scene/fetch.glsl"
 #include "lib/hit_record.glsl"
 #include "lib/color.glsl"
-#include "shade/surface_type.glsl"
+#include "shade/reflection.glsl"
 #include "shade/textures.glsl"
 #include "generated/material.glsl"
 
@@ -11,6 +11,8 @@ struct Hit {
     Surface surface;
     vec3 geometricNormal;  // world space, unit, towards the viewer
     vec3 rayOrigin;        // where rays towards lights start, lifted off the surface
+    vec3 behind;           // where rays start that pass through it
+    vec3 way;              // share of light that is not absorbed between here and the viewer
     int material;
     float radius;          // of the pixel's cone here, m
 };
@@ -28,6 +30,38 @@ vec3 terminatorShift(vec3 p, Vertex a, Vertex b, Vertex c, vec3 weights, float s
     return weights.x * toA + weights.y * toB + weights.z * toC;
 }
 
+// Shows its base colour and answers no light.
+void makeUnlit(inout Surface s) {
+    s.emission = s.baseColor;
+    s.baseColor = vec3(0.0);
+    s.metallic = 0.0;
+    s.specular = 0.0;
+    s.transmission = 0.0;
+    s.clearcoat = 0.0;
+    s.sheenColor = vec3(0.0);
+}
+
+void clampSurface(inout Surface s) {
+    s.baseColor = clamp(s.baseColor, 0.0, 1.0);
+    s.metallic = clamp(s.metallic, 0.0, 1.0);
+    s.roughness = clamp(s.roughness, 0.0, 1.0);
+    s.normal = normalize(s.normal);
+    s.specular = clamp(s.specular, 0.0, 1.0);
+    s.specularColor = max(s.specularColor, 0.0);
+    s.ior = max(s.ior, 1.0);
+#if HAS_TRANSMISSION
+    s.transmission = clamp(s.transmission, 0.0, 1.0) * (1.0 - s.metallic);
+    s.absorption = max(s.absorption, 0.0);
+#endif
+#if HAS_LAYERS
+    s.clearcoat = clamp(s.clearcoat, 0.0, 1.0);
+    s.clearcoatRoughness = clamp(s.clearcoatRoughness, 0.0, 1.0);
+    s.clearcoatNormal = normalize(s.clearcoatNormal);
+    s.sheenColor = clamp(s.sheenColor, 0.0, 1.0);
+    s.sheenRoughness = clamp(s.sheenRoughness, 0.0, 1.0);
+#endif
+}
+
 void loadMaterial(inout Hit hit, Instance instance, TextureFrame geometry) {
     vec4 list = fetchTable(instance.materials);
     int part = clamp(hit.surface.part, 0, int(list.y) - 1);
@@ -41,15 +75,38 @@ void loadMaterial(inout Hit hit, Instance instance, TextureFrame geometry) {
     hit.surface.emission = b.rgb;
     hit.surface.roughness = b.w;
     hit.surface.occlusion = 1.0;
+    hit.surface.specular = c.w;
+    vec4 e = fetchTable(i + 4);
+    hit.surface.specularColor = e.rgb;
+    hit.surface.ior = e.w;
+    hit.surface.transmission = 0.0;
+    hit.surface.absorption = vec3(0.0);
+    hit.surface.thin = (int(c.z) & VITRINE_MATERIAL_THIN) != 0;
+    hit.surface.clearcoat = 0.0;
+    hit.surface.clearcoatRoughness = 0.0;
+    hit.surface.clearcoatNormal = hit.surface.normal;
+    hit.surface.sheenColor = vec3(0.0);
+    hit.surface.sheenRoughness = 0.0;
+#if HAS_TRANSMISSION
+    vec4 f = fetchTable(i + 5);
+    hit.surface.absorption = f.rgb;
+    hit.surface.transmission = f.w;
+#endif
+#if HAS_LAYERS
+    vec4 g = fetchTable(i + 6);
+    hit.surface.clearcoat = g.x;
+    hit.surface.clearcoatRoughness = g.y;
+    vec4 h = fetchTable(i + 7);
+    hit.surface.sheenColor = h.rgb;
+    hit.surface.sheenRoughness = h.w;
+#endif
 #if HAS_TEXTURES
     vec4 d = fetchTable(i + 3);
     applyTextures(int(d.x), int(d.y), geometry, hit.surface);
 #endif
     evaluateMaterial(int(c.x), hit.surface, int(c.y));
-    hit.surface.baseColor = clamp(hit.surface.baseColor, 0.0, 1.0);
-    hit.surface.metallic = clamp(hit.surface.metallic, 0.0, 1.0);
-    hit.surface.roughness = clamp(hit.surface.roughness, 0.0, 1.0);
-    hit.surface.normal = normalize(hit.surface.normal);
+    if ((int(c.z) & VITRINE_MATERIAL_UNLIT) != 0) makeUnlit(hit.surface);
+    clampSurface(hit.surface);
 }
 
 // The record must be of a surface.
@@ -80,6 +137,7 @@ Hit loadHit(uvec4 record, Ray ray) {
         vec3 worldSmooth = normalize(transformNormal(instance.objectFromWorld, smoothNormal));
         float side = dot(worldFlat, ray.direction) > 0.0 ? -1.0 : 1.0;
         hit.geometricNormal = side * worldFlat;
+        hit.surface.inside = side < 0.0;
         // A mesh wound against its normals still shades on the side that is seen.
         hit.surface.normal = dot(worldSmooth, hit.geometricNormal) < 0.0 ? -worldSmooth : worldSmooth;
         hit.surface.uv = weights.x * a.uv + weights.y * b.uv + weights.z * c.uv;
@@ -104,7 +162,8 @@ Hit loadHit(uvec4 record, Ray ray) {
         shift = transformVector(instance.worldFromObject, shift);
     } else {
         vec3 n = unpackNormal(record.z);
-        hit.geometricNormal = dot(n, ray.direction) > 0.0 ? -n : n;
+        hit.surface.inside = dot(n, ray.direction) > 0.0;
+        hit.geometricNormal = hit.surface.inside ? -n : n;
         hit.surface.normal = hit.geometricNormal;
         hit.surface.uv = vec2(0.0);
         hit.surface.part = int(record.y);
@@ -115,9 +174,19 @@ Hit loadHit(uvec4 record, Ray ray) {
     float cosine = max(0.1, -dot(ray.direction, hit.geometricNormal));
     hit.surface.footprint = 2.0 * hit.radius / cosine;
     hit.rayOrigin = position + shift + lift * hit.geometricNormal;
+    // Deeper by the tolerance with which a field was hit in front of itself.
+    hit.behind = position - 2.0 * lift * hit.geometricNormal;
+    hit.surface.geometricNormal = hit.geometricNormal;
 #if HAS_TEXTURES
     geometry.footprint = hit.surface.footprint * uvPerMetre;
 #endif
     loadMaterial(hit, instance, geometry);
+    hit.way = vec3(1.0);
+#if HAS_TRANSMISSION
+    // Seen from its back, it was the ray that was inside.
+    if (hit.surface.inside && !hit.surface.thin && hit.surface.transmission > 0.0)
+        hit.way = exp(-t * hit.surface.absorption);
+#endif
+    prepareReflection(hit.surface, -ray.direction);
     return hit;
 }

@@ -7,9 +7,34 @@ struct Surface {
     vec2 uv;             // meshes; zero on fields
     int part;            // of the mesh or the field
     float footprint;     // width of a pixel here, m: patterns finer than this should fade
+    vec3 geometricNormal;  // of what is really there, world space, unit, towards the viewer
+    bool inside;           // it is seen from its back
+
     vec3 baseColor;
     float metallic;
     float roughness;
     vec3 emission;
-    float occlusion;     // of ambient light, by a texture; 1: none
+    float occlusion;  // of ambient light, by a texture; 1: none
+    float ior;
+    float specular;
+    vec3 specularColor;
+    float transmission;
+    vec3 absorption;  // inside, 1/m
+    bool thin;        // light that passes is not refracted
+    float clearcoat;
+    float clearcoatRoughness;
+    vec3 clearcoatNormal;
+    vec3 sheenColor;
+    float sheenRoughness;
+
+    // Found from the above by prepareReflection(); what a snippet writes here is lost.
+    vec3 f0;            // reflectance at normal incidence, with light that bounces on microfacets
+    vec3 f90;           // and at grazing incidence
+    vec3 diffuse;       // albedo of the body
+    vec3 through;       // albedo of what passes, before Fresnel's part
+    float bodyShare;    // of light that the layers above leave to body and mirror
+    float sheenScale;
+    float coatAlbedo;
+    float sheenAlbedo;
+    vec3 specularAlbedo;
 };

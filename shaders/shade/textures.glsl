@@ -41,7 +41,8 @@ void applyTextures(int firstSlot, int slots, TextureFrame geometry, inout Surfac
         int purpose = int(a.x);
         vec2 uv = mat2(m.xy, m.zw) * geometry.uv + b.xy;
         float scale = sqrt(abs(m.x * m.w - m.y * m.z));
-        bool color = purpose == VITRINE_SLOT_BASE_COLOR || purpose == VITRINE_SLOT_EMISSION;
+        bool color = purpose == VITRINE_SLOT_BASE_COLOR || purpose == VITRINE_SLOT_EMISSION ||
+                     purpose == VITRINE_SLOT_SPECULAR_COLOR || purpose == VITRINE_SLOT_SHEEN_COLOR;
         vec4 c = sampleTexture(int(a.y), uv, geometry.footprint * scale, color);
         if (purpose == VITRINE_SLOT_BASE_COLOR) s.baseColor *= c.rgb;
         if (purpose == VITRINE_SLOT_METALLIC_ROUGHNESS) {
@@ -51,6 +52,19 @@ void applyTextures(int firstSlot, int slots, TextureFrame geometry, inout Surfac
         if (purpose == VITRINE_SLOT_NORMAL) bent = bentNormal(s.normal, geometry, c.rgb, a.w);
         if (purpose == VITRINE_SLOT_OCCLUSION) s.occlusion = 1.0 + a.w * (c.r - 1.0);
         if (purpose == VITRINE_SLOT_EMISSION) s.emission *= c.rgb;
+        if (purpose == VITRINE_SLOT_SPECULAR) s.specular *= c.a;
+        if (purpose == VITRINE_SLOT_SPECULAR_COLOR) s.specularColor *= c.rgb;
+#if HAS_TRANSMISSION
+        if (purpose == VITRINE_SLOT_TRANSMISSION) s.transmission *= c.r;
+#endif
+#if HAS_LAYERS
+        if (purpose == VITRINE_SLOT_CLEARCOAT) s.clearcoat *= c.r;
+        if (purpose == VITRINE_SLOT_CLEARCOAT_ROUGHNESS) s.clearcoatRoughness *= c.g;
+        if (purpose == VITRINE_SLOT_CLEARCOAT_NORMAL)
+            s.clearcoatNormal = bentNormal(s.normal, geometry, c.rgb, a.w);
+        if (purpose == VITRINE_SLOT_SHEEN_COLOR) s.sheenColor *= c.rgb;
+        if (purpose == VITRINE_SLOT_SHEEN_ROUGHNESS) s.sheenRoughness *= c.a;
+#endif
     }
     s.normal = bent;
 }

@@ -13,3 +13,4 @@ ivec4 image;         // x, y: size in pixels; z: tone map; w: view
 ivec4 sampling;      // x: sample; y: samples in all; z: bounce (0: camera ray); w: seed
 ivec4 tables;        // first texel in sceneTables of x: instances; y: materials; z: lights; w: parameters
 ivec4 counts;        // x: lights; y: most marching steps; z: root slot of the scene's tree; w: loop budget
+ivec4 path;          // x: mode; y: most bounces; z: split at the first hit; w: first texel of the albedo table

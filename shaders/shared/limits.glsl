@@ -20,6 +20,10 @@
 // Instances: kinds of geometry, and texels of an entry of the instance table.
 #define VITRINE_KIND_MESH 0
 #define VITRINE_KIND_FIELD 1
+// Added to the kind. FILTERED: some of its materials let rays pass. CULLED: none of its triangles is
+// seen from behind.
+#define VITRINE_INSTANCE_FILTERED 2
+#define VITRINE_INSTANCE_CULLED 4
 #define VITRINE_INSTANCE_TEXELS 9
 #define VITRINE_MATERIAL_TEXELS 8
 #define VITRINE_TEXTURE_SLOT_TEXELS 3
@@ -53,6 +57,19 @@
 #define VITRINE_MATERIAL_SINGLE_SIDED 4
 #define VITRINE_MATERIAL_UNLIT 8
 #define VITRINE_MATERIAL_THIN 16
+
+// Nodes of the table of directional albedos: by the cosine, by the roughness.
+#define VITRINE_ALBEDO_COSINES 32
+#define VITRINE_ALBEDO_ROUGHNESSES 16
+
+// How light is followed, in the order of RenderMode (frame/frame.hpp).
+#define VITRINE_MODE_HYBRID 0
+#define VITRINE_MODE_REFERENCE 1
+
+// What a path does where its camera ray meets a surface that light passes.
+#define VITRINE_SPLIT_NONE 0
+#define VITRINE_SPLIT_REFLECT 1
+#define VITRINE_SPLIT_TRANSMIT 2
 
 // Values of the instance word of a hit record that name no instance.
 #define VITRINE_RECORD_NONE 0xffffffffu

@@ -33,10 +33,13 @@ vec2 boxInterval(vec3 boxMin, vec3 boxMax, vec3 origin, vec3 inverse) {
 }
 
 // `origin` and `direction` in object space; `radius` is the pixel cone's in the world at t = 0.
+// `tStart`: above 0 the ray stands on the surface there, which let it pass. Fields that let rays pass
+// are marched from whatever side the ray is on; others hold what starts in them.
 FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction, float radius,
-                    float tMax) {
+                    float tStart, float tMax) {
     FieldHit result = FieldHit(false, tMax, 0, vec3(0.0));
     vec2 interval = boxInterval(instance.boxMin, instance.boxMax, origin, safeInverse(direction));
+    interval.x = max(interval.x, tStart);
     float tEnd = min(interval.y, tMax);
     vec3 entry = origin + interval.x * direction;
     float t = interval.x;
@@ -51,6 +54,11 @@ FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction,
     bindField(instance.shape, instance.parameters);
     int probes = 0;
     float tolerance = 0.0;
+#if HAS_FILTERS
+    bool passable = (instance.flags & VITRINE_INSTANCE_FILTERED) != 0;
+    bool leaving = tStart > 0.0;
+    float side = 1.0;
+#endif
     vec3 gradient = vec3(0.0);
     // The last step may still be followed by its probes: a normal from fewer would be nonsense.
     for (int i = 0; i < frame.counts.y + 4; i++) {
@@ -72,17 +80,27 @@ FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction,
             // A fifth of the pixel's footprint: below what a picture shows, above what floats lose.
             tolerance = max(instance.finest,
                             0.2 * (radius + frame.cameraEye.w * t) * objectPerWorld);
-            if (d.x < tolerance) {
+            float free = d.x;
+            bool hit = d.x < tolerance;
+#if HAS_FILTERS
+            if (passable && (i == 0 || leaving)) side = d.x < 0.0 ? -1.0 : 1.0;
+            leaving = leaving && abs(d.x) < tolerance;
+            free = leaving ? tolerance : side * d.x;
+            hit = free < tolerance;
+#endif
+            if (hit) {
                 result.hit = true;
                 result.t = t;
                 result.part = int(d.y + 0.5);
-#if TRACE_ANY
+#if TRACE_ANY && HAS_FILTERS
+                state = passable ? kProbing : kFinished;
+#elif TRACE_ANY
                 state = kFinished;
 #else
                 state = kProbing;
 #endif
             } else {
-                way += d.x * stepPerDistance;
+                way += free * stepPerDistance;
                 t = interval.x + way;
                 if (t > tEnd) state = kFinished;
             }

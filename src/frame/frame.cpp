@@ -12,8 +12,7 @@ namespace vitrine {
 
 Frame::Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters)
     : context_(context.info(),
-               ProgramSet(context.info(), backend, scene.shaders,
-                          {scene.hasMeshes, scene.hasFields, counters, scene.textures.any()}),
+               ProgramSet(context.info(), backend, scene.shaders, featuresOf(scene, counters)),
                counters),
       rasterPossible_(context.info().clipControl),
       maxSide_(context.info().maxTextureSize) {
@@ -27,9 +26,13 @@ void Frame::update(const PackedMoment& moment) {
 }
 
 void Frame::use(const PackedMoment& moment) {
+    context_.programs.require(moment);
     context_.block = moment.block;
     instances_ = moment.instances;
     fieldRoot_ = moment.fieldRoot;
+    // Glass needs another set of paths, which begin() makes with the other images.
+    if (moment.hasTransmission && !transmissive_) picture_ = {};
+    transmissive_ = transmissive_ || moment.hasTransmission;
 }
 
 void Frame::begin(const FrameRequest& request) {
@@ -52,6 +55,8 @@ void Frame::begin(const FrameRequest& request) {
     packCamera(request.camera, width, height, block);
     block.shading.x = request.time;
     block.image.w = static_cast<int>(request.view);
+    block.path.x = static_cast<int>(request.mode);
+    block.path.y = request.bounces;
     block.sampling.y = request.samples;
     block.sampling.w = request.seed;
     // Enough rays for ambient occlusion that a picture of few samples is not speckled.
@@ -61,7 +66,7 @@ void Frame::begin(const FrameRequest& request) {
     layers_ = {};
     if (request.layers) layers_.allocate(width, height);
     const auto image = [&](TexelFormat f) { return Texture(width, height, f); };
-    for (PathImages& path : paths_) path.allocate(width, height);
+    for (size_t i = 0; i < (transmissive_ ? 3 : 2); ++i) paths_[i].allocate(width, height);
     for (Texture& t : radiance_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : mean_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : context_.counters) t = image(TexelFormat::kRgba32ui);
@@ -103,15 +108,30 @@ void Frame::findFirstHits() {
 void Frame::followPaths() {
     const bool firstHitOnly = request_.view == View::kDirect || request_.view == View::kShadow;
     const bool reflectionOnly = request_.view == View::kReflection;
+    context_.block.path.z = transmissive_ ? VITRINE_SPLIT_REFLECT : VITRINE_SPLIT_NONE;
     if (reflectionOnly)
         radiance_[0].clear();
     else
         lightPass(context_, paths_[0], black_, radiance_[0]);
-    for (int bounce = 0; bounce < request_.bounces && !firstHitOnly; ++bounce) {
-        bouncePass(context_, paths_[0], paths_[1]);
-        lightPass(context_, paths_[1], radiance_[0], radiance_[1]);
-        std::swap(paths_[0], paths_[1]);
+    if (firstHitOnly) return;
+    followBounces();
+    if (!transmissive_ || reflectionOnly) return;
+    // The first glass both mirrors and lets through, without noise; what stands behind chooses.
+    context_.block.path.z = VITRINE_SPLIT_TRANSMIT;
+    context_.block.sampling.z = 0;
+    followBounces();
+}
+
+/// From the first hits in paths_[0], which scenes with glass need twice and which stay there then.
+void Frame::followBounces() {
+    const PathImages* from = &paths_[0];
+    PathImages *to = &paths_[1], *next = &paths_[transmissive_ ? 2 : 0];
+    for (int bounce = 0; bounce < request_.bounces; ++bounce) {
+        bouncePass(context_, *from, *to);
+        lightPass(context_, *to, radiance_[0], radiance_[1]);
         std::swap(radiance_[0], radiance_[1]);
+        from = to;
+        std::swap(to, next);
     }
 }
 

@@ -15,6 +15,12 @@ namespace vitrine {
 /// Who finds what the camera sees.
 enum class Primary { kRaster, kTrace };
 
+/// How light is followed, in the order of VITRINE_MODE_* (shaders/shared/limits.glsl).
+enum class RenderMode {
+    kHybrid,     ///< mirrors and glass are followed, diffuse light between surfaces is ambient
+    kReference,  ///< paths: all light there is, free of noise after enough samples
+};
+
 struct FrameRequest {
     int width = 640, height = 400;
     int ssaa = 1;  ///< what is drawn is this many times as wide and high, then averaged
@@ -28,6 +34,7 @@ struct FrameRequest {
     Primary primary = Primary::kRaster;
     bool timing = false;  ///< measure the passes; always with counters
     bool layers = false;  ///< keep what layers() needs
+    RenderMode mode = RenderMode::kHybrid;
 };
 
 /// Sums over all samples drawn since begin(). Ray counts need counters.
@@ -64,12 +71,13 @@ class Frame {
     void use(const PackedMoment& moment);
     void findFirstHits();
     void followPaths();
+    void followBounces();
     void addCounts();
 
     PassContext context_;
     FrameRequest request_;
     int sample_ = 0;
-    std::array<PathImages, 2> paths_;
+    std::array<PathImages, 3> paths_;
     std::array<Texture, 2> radiance_, mean_;
     Texture black_, picture_;
     LayerTextures layers_;
@@ -77,6 +85,7 @@ class Frame {
     std::vector<PackedInstance> instances_;
     TreeBoxes treeBoxes_;
     int fieldRoot_ = -1;
+    bool transmissive_ = false;  ///< there is glass
     bool rasterPossible_;
     int maxSide_;
     FrameStatistics statistics_;

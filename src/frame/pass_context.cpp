@@ -33,6 +33,7 @@ void PassContext::draw(const std::string& pass, const RasterImages& images,
     const Program& program = programs.get(pass);
     RasterImages all = images;
     all.buffers = scene.bindings();
+    all.arrays = scene.arrays();
     uniforms_.upload(std::as_bytes(std::span(&block, 1)));
     if (timing) timer_.begin(pass);
     rasterRunner_.run(program, uniforms_, all, VITRINE_RECORD_MISS, draws);

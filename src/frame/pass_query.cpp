@@ -15,8 +15,7 @@ constexpr int kImageWidth = 512;
 
 RayQuery::RayQuery(const Context& context, const PackedScene& scene, Backend backend, bool counters)
     : context_(context.info(),
-               ProgramSet(context.info(), backend, scene.shaders,
-                          {scene.hasMeshes, scene.hasFields, counters, false}),
+               ProgramSet(context.info(), backend, scene.shaders, featuresOf(scene, counters)),
                counters) {
     context_.scene.upload(scene);
     context_.block = scene.block;

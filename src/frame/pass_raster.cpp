@@ -40,9 +40,11 @@ std::vector<RasterDraw> rasterDraws(std::span<const PackedInstance> instances,
     for (size_t i = 0; i < instances.size(); ++i) {
         const PackedInstance& instance = instances[i];
         if (instance.field || isOutside(instance.worldBox, clipFromWorld)) continue;
-        order.push_back({farthestDistance(instance.worldBox, eye),
-                         {clipFromWorld * instance.worldFromObject, static_cast<int>(i),
-                          instance.firstTriangle, static_cast<int>(instance.triangles)}});
+        order.push_back(
+            {farthestDistance(instance.worldBox, eye),
+             {clipFromWorld * instance.worldFromObject, static_cast<int>(i), instance.firstTriangle,
+              static_cast<int>(instance.triangles), instance.culled,
+              glm::determinant(glm::mat3(instance.worldFromObject)) < 0}});
     }
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -54,7 +56,7 @@ std::vector<RasterDraw> rasterDraws(std::span<const PackedInstance> instances,
 void rasterPass(PassContext& context, std::span<const RasterDraw> draws, const DepthImage& depth,
                 Texture& records) {
     context.block.sampling.z = 0;
-    context.draw("raster", {{}, {"outRecord", &records}, &depth}, draws);
+    context.draw("raster", {{}, {"outRecord", &records}, {}, &depth}, draws);
 }
 
 }  // namespace vitrine

@@ -48,13 +48,30 @@ const PassShader& findPass(const std::string& name) {
     return *found;
 }
 
+ProgramFeatures featuresOf(const PackedScene& scene, bool counters) {
+    ProgramFeatures features;
+    features.meshes = scene.hasMeshes;
+    features.fields = scene.hasFields;
+    features.counters = counters;
+    features.textures = scene.textures.any();
+    features.layers = scene.hasLayers;
+    features.transmission = scene.hasTransmission;
+    features.filters = scene.hasFilters;
+    features.culling = scene.hasCulling;
+    return features;
+}
+
 ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, ShaderStage stage,
                     Dialect dialect) {
     ShaderKey key{pass, stage, dialect, {}};
     const bool traces = findPass(pass).traces;
     key.defines["COUNTERS"] = traces && features.counters ? 1 : 0;
     key.defines["HAS_TEXTURES"] = features.textures ? 1 : 0;
+    key.defines["HAS_LAYERS"] = features.layers ? 1 : 0;
+    key.defines["HAS_TRANSMISSION"] = features.transmission ? 1 : 0;
+    key.defines["HAS_FILTERS"] = (traces || pass == "raster") && features.filters ? 1 : 0;
     if (traces) {
+        key.defines["HAS_CULLING"] = features.culling ? 1 : 0;
         const bool meshes = features.meshes && pass != "visibility_fields";
         key.defines["HAS_MESHES"] = meshes ? 1 : 0;
         key.defines["HAS_FIELDS"] = features.fields ? 1 : 0;
@@ -68,6 +85,15 @@ ProgramSet::ProgramSet(const GpuInfo& gpu, Backend backend, GeneratedShaders sha
       backend_(chooseBackend(gpu, backend)),
       shaders_(std::move(shaders)),
       features_(features) {}
+
+void ProgramSet::require(const PackedMoment& moment) {
+    const ProgramFeatures before = features_;
+    features_.layers |= moment.hasLayers;
+    features_.transmission |= moment.hasTransmission;
+    features_.filters |= moment.hasFilters;
+    features_.culling |= moment.hasCulling;
+    if (features_ != before) programs_.clear();
+}
 
 const Program& ProgramSet::get(const std::string& pass) {
     const auto known = programs_.find(pass);

@@ -9,7 +9,7 @@
 
 #include "gpu/context.hpp"
 #include "gpu/program.hpp"
-#include "pack/generate.hpp"
+#include "pack/pack_scene.hpp"
 
 namespace vitrine {
 
@@ -21,7 +21,13 @@ struct ProgramFeatures {
     bool fields = true;
     bool counters = false;
     bool textures = false;
+    bool layers = false;        ///< varnish, sheen
+    bool transmission = false;  ///< glass
+    bool filters = false;       ///< surfaces that let rays pass
+    bool culling = false;       ///< meshes not seen from behind
+    bool operator==(const ProgramFeatures&) const = default;
 };
+ProgramFeatures featuresOf(const PackedScene& scene, bool counters);
 
 /// A pass's shader under the features that concern it, for any stage and dialect.
 ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, ShaderStage stage,
@@ -46,6 +52,8 @@ class ProgramSet {
     /// Throws InputError, placed in the user's snippet, if a snippet does not compile, and
     /// std::logic_error with the place if one of our own shaders does not.
     const Program& get(const std::string& pass);
+    /// From now on the programs can do what this moment needs besides what they could.
+    void require(const PackedMoment& moment);
     [[nodiscard]] Backend backend() const { return backend_; }
     [[nodiscard]] double compileSeconds() const { return compileSeconds_; }
 

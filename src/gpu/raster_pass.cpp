@@ -28,6 +28,12 @@ void RasterRunner::run(const Program& program, const UniformBlock& block,
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         glBindTexture(GL_TEXTURE_BUFFER, buffer->id());
     }
+    for (const auto& [name, array] : images.arrays) {
+        const int unit = program.unit(name);
+        if (unit < 0) continue;
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D_ARRAY, array->id());
+    }
     glActiveTexture(GL_TEXTURE0);
 
     const Texture& target = *images.output.second;
@@ -57,8 +63,11 @@ void RasterRunner::run(const Program& program, const UniformBlock& block,
         glUniformMatrix4fv(matrix, 1, GL_FALSE, &draw.clipFromObject[0][0]);
         glUniform1i(instance, draw.instance);
         glUniform1i(first, draw.firstTriangle);
+        draw.culled ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
+        glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
         glDrawArrays(GL_TRIANGLES, 0, 3 * draw.triangles);
     }
+    glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);

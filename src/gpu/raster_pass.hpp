@@ -20,11 +20,14 @@ struct RasterDraw {
     int instance = 0;
     int firstTriangle = 0;
     int triangles = 0;
+    bool culled = false;    ///< triangles seen from behind are not drawn
+    bool mirrored = false;  ///< the matrix turns left into right, and fronts into backs
 };
 
 struct RasterImages {
     std::vector<std::pair<std::string, const TexelBuffer*>> buffers;
     std::pair<std::string, const Texture*> output;
+    std::vector<std::pair<std::string, const TextureArray*>> arrays;
     const DepthImage* depth = nullptr;
 };
 

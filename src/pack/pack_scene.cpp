@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "bvh/build.hpp"
 #include "bvh/instance.hpp"
+#include "pack/albedo_table.hpp"
 #include "pack/check_animations.hpp"
 #include "pack/parameters.hpp"
 
@@ -85,22 +86,36 @@ class Packer {
             }
             addMaterial(scene_.materials[i], snippet, parameters, geometry_.textures.slots[i]);
         }
+        for (const auto& snippet : geometry_.materialSnippets) {
+            out_.hasLayers |= mentions(*snippet, {"clearcoat", "sheenColor"});
+            out_.hasTransmission |= mentions(*snippet, {"transmission"});
+        }
         addMaterial(Material{}, 0, 0, {});  // for nodes that name none
         out_.materialNames.back() = "(default)";
+    }
+
+    /// Whether a snippet may set one of these members.
+    static bool mentions(const Snippet& snippet, std::initializer_list<std::string_view> words) {
+        return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+            return snippet.source.find(word) != std::string::npos;
+        });
     }
 
     void addMaterial(const Material& m, int snippet, int parameters,
                      const PackedTextures::Slots& slots) {
         out_.materialNames.push_back(m.name);
+        out_.hasLayers |= m.clearcoat > 0 || m.sheenColor.rgb != glm::vec3(0);
+        out_.hasTransmission |= m.transmission > 0;
         materials_.emplace_back(m.baseColor.rgb, m.metallic);
         materials_.emplace_back(m.emission.rgb * m.emissionStrength, m.roughness);
         materials_.push_back(texel(snippet, parameters, flagsOf(m)));
+        materials_.back().w = m.specular;
         materials_.push_back(texel(slots.first, slots.count));
         materials_.back().z = m.opacity;
         materials_.back().w = m.alphaCutoff;
         materials_.emplace_back(m.specularColor.rgb, m.ior);
         materials_.emplace_back(absorptionOf(m), m.transmission);
-        materials_.emplace_back(m.clearcoat, m.clearcoatRoughness, m.specular, 0.0f);
+        materials_.emplace_back(m.clearcoat, m.clearcoatRoughness, 0.0f, 0.0f);
         materials_.emplace_back(m.sheenColor.rgb, m.sheenRoughness);
     }
 
@@ -210,6 +225,33 @@ class Packer {
         return static_cast<int>(layout_.addInstances(buildBvh(boxes, options), numbers));
     }
 
+    /// `number`: of a material's snippet, 0 for none.
+    [[nodiscard]] bool snippetMakesGlass(size_t number) const {
+        return number > 0 && mentions(*geometry_.materialSnippets[number - 1], {"transmission"});
+    }
+
+    /// VITRINE_INSTANCE_* by the materials of the parts, a list that starts here.
+    int instanceFlags(int firstOfList, bool field) {
+        bool filtered = false, allCulled = true, someCulled = false;
+        for (auto i = static_cast<size_t>(firstOfList); i < materialLists_.size(); ++i) {
+            const auto m = static_cast<size_t>(materialLists_[i].x);
+            const glm::vec4* texels = &materials_[m * VITRINE_MATERIAL_TEXELS];
+            const int flags = static_cast<int>(texels[2].z);
+            const bool glass =
+                texels[5].w > 0 || snippetMakesGlass(static_cast<size_t>(texels[2].x));
+            filtered |= glass || (flags & (VITRINE_ALPHA_MASK | VITRINE_ALPHA_BLEND)) != 0;
+            const bool culled = (flags & VITRINE_MATERIAL_SINGLE_SIDED) != 0 && !glass;
+            allCulled &= culled;
+            someCulled |= culled;
+        }
+        // Parts of both kinds, or fields, whose backs are met only by rays inside of them.
+        if (someCulled && (!allCulled || field)) filtered = true;
+        const bool culled = allCulled && !field;
+        out_.hasFilters |= filtered;
+        out_.hasCulling |= culled;
+        return (filtered ? VITRINE_INSTANCE_FILTERED : 0) | (culled ? VITRINE_INSTANCE_CULLED : 0);
+    }
+
     void addInstance(const Node& node, const glm::mat4& worldFromObject, size_t shape) {
         const auto& mesh = assets_.meshes[shape];
         const auto& field = assets_.fields[shape];
@@ -232,6 +274,8 @@ class Packer {
             const glm::vec3 size = glm::max(glm::abs(box.min), glm::abs(box.max));
             precision = 4e-6f * std::max(size.x, std::max(size.y, size.z));
         }
+        const int flags = instanceFlags(static_cast<int>(indices.z), field != nullptr);
+        indices.x += static_cast<float>(flags);
         for (const glm::vec4& row : rowsOf(glm::inverse(worldFromObject)))
             instances_.push_back(row);
         for (const glm::vec4& row : rowsOf(worldFromObject)) instances_.push_back(row);
@@ -243,7 +287,7 @@ class Packer {
         out_.worldBox.grow(worldBox);
         out_.instances.push_back({node.name, worldFromObject, worldBox, field != nullptr,
                                   firstTriangle, mesh != nullptr ? mesh->mesh.triangles.size() : 0,
-                                  box, mesh});
+                                  box, mesh, (flags & VITRINE_INSTANCE_CULLED) != 0});
     }
 
     /// Joins the tables; material lists get addresses of the whole.
@@ -262,6 +306,7 @@ class Packer {
         out_.block.tables.y = append(materials_);
         out_.block.tables.z = append(lights_);
         out_.block.tables.w = append(parameters_);
+        out_.block.path.w = append(albedoTable());
         // Indices travel as floats, which are exact up to here.
         constexpr size_t kLargestIndex = 1u << 24;
         if (std::max({(geometry_.slots.size() + out_.upperSlots.size()) / VITRINE_SLOT_TEXELS,

@@ -22,6 +22,7 @@ struct PackedInstance {
     size_t triangles = 0;
     Aabb objectBox;                         ///< of the mesh, or the bounds of the field
     std::shared_ptr<const MeshAsset> mesh;  ///< null: a field
+    bool culled = false;                    ///< not seen from behind
 };
 
 /// What changes with time, and what a hand on a slider changes: all that is cheap to make again.
@@ -31,6 +32,10 @@ struct PackedMoment {
     std::vector<glm::vec4> tables;
     /// Everything but the camera, the sample and the view.
     FrameBlock block{};
+    bool hasLayers = false;        ///< materials with varnish or sheen
+    bool hasTransmission = false;  ///< materials that light passes
+    bool hasFilters = false;       ///< instances that let rays pass: holes, veils, glass
+    bool hasCulling = false;       ///< meshes that are not seen from behind
 
     std::vector<PackedInstance> instances;
     std::vector<std::string> materialNames;

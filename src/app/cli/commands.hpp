@@ -13,7 +13,7 @@ namespace vitrine {
 
 struct RenderOptions {
     std::string file, output, resolution = "1280x720", frames, camera, view = "color";
-    std::string backend = "auto", primary = "raster", json;
+    std::string backend = "auto", primary = "raster", mode = "hybrid", json;
     std::optional<int> samples, seed;
     float time = 0, fps = 24;
     std::vector<std::string> overrides;

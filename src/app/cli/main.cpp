@@ -50,6 +50,9 @@ void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen)
     c->add_option("--view", o.view,
                   fmt::format("what to show: {}=LEVEL", fmt::join(viewNames(), " ")))
         ->capture_default_str();
+    c->add_option("--mode", o.mode, "hybrid is quick; reference follows all light there is")
+        ->check(CLI::IsMember({"hybrid", "reference"}))
+        ->capture_default_str();
     c->add_option("--backend", o.backend, "fragment or compute shaders")
         ->check(CLI::IsMember({"auto", "fragment", "compute"}))
         ->capture_default_str();

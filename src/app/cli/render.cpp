@@ -50,6 +50,7 @@ nlohmann::ordered_json describe(const LoadedScene& loaded, Renderer& renderer,
     json["scene"] = loaded.scene.file;
     json["resolution"] = {picture.width, picture.height};
     json["samples"] = samples;
+    json["mode"] = picture.mode == RenderMode::kReference ? "reference" : "hybrid";
     json["bounces"] = loaded.scene.render.bounces;
     json["triangles"] = loaded.packed.triangleCount;
     json["instances"] = loaded.packed.instances.size();
@@ -82,6 +83,7 @@ int render(const RenderOptions& options) {
     picture.view = view.view;
     picture.treeLevel = view.treeLevel;
     picture.primary = options.primary == "trace" ? Primary::kTrace : Primary::kRaster;
+    picture.mode = options.mode == "reference" ? RenderMode::kReference : RenderMode::kHybrid;
     const bool several = !options.frames.empty();
     const FrameRange range = several ? parseFrames(options.frames) : FrameRange{};
     // Better to fail now than after an hour of rendering.

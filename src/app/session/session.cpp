@@ -115,6 +115,7 @@ void Renderer::drawSamples(const PictureRequest& request, bool layers,
     frame.treeLevel = request.treeLevel;
     frame.primary = request.primary;
     frame.layers = layers;
+    frame.mode = request.mode;
     try {
         frame_->begin(frame);
         for (int i = 0; i < frame.samples; ++i) {

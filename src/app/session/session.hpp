@@ -43,6 +43,7 @@ struct PictureRequest {
     View view = View::kColor;
     int treeLevel = 0;  ///< of View::kBvh
     Primary primary = Primary::kRaster;
+    RenderMode mode = RenderMode::kHybrid;
 };
 
 /// Draws pictures of one scene without a display.

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What lets rays pass: holes (alpha masks), veils (blend), glass, and backs that are not seen. Reads
+// the materials' numbers and the picture of the base colour; material snippets are not asked.
+#include "scene/fetch.glsl"
+#include "lib/hit_record.glsl"
+#include "lib/random.glsl"
+#include "lib/brdf.glsl"
+#if HAS_TEXTURES
+#include "scene/texture.glsl"
+#endif
+
+#if HAS_FILTERS
+// Set by passes whose rays look for the closest surface: veils stop them by chance.
+ivec2 filterPixel = ivec2(0);
+const int kDimensionFilter = 256;  // and all above
+
+struct Barrier {
+    int flags;
+    float opacity;  // after the cutoff
+    vec3 glass;     // share of light that passes its substance
+    vec3 absorption;
+    bool back;      // the ray comes from behind
+};
+
+vec4 barrierColor(int material, vec2 uv, float footprint) {
+    vec4 color = vec4(fetchTable(material).rgb, fetchTable(material + 3).z);
+#if HAS_TEXTURES
+    vec4 slots = fetchTable(material + 3);
+    for (int i = 0; i < int(slots.y); i++) {
+        if (!mayLoop()) break;
+        int at = int(slots.x) + i * VITRINE_TEXTURE_SLOT_TEXELS;
+        vec4 a = fetchTable(at);
+        vec4 m = fetchTable(at + 1);
+        vec4 b = fetchTable(at + 2);
+        float scale = sqrt(abs(m.x * m.w - m.y * m.z));
+        if (int(a.x) == VITRINE_SLOT_BASE_COLOR)
+            color *= sampleTexture(int(a.y), mat2(m.xy, m.zw) * uv + b.xy, footprint * scale, true);
+    }
+#endif
+    return color;
+}
+
+Barrier loadBarrier(uvec4 record, Ray ray) {
+    Instance instance = fetchInstance(int(record.x));
+    float t = recordDistance(record);
+    int part = int(record.y);
+    vec3 normal = unpackNormal(record.z);
+    vec2 uv = vec2(0.0);
+    float footprint = 0.0;
+    if (instance.kind == VITRINE_KIND_MESH) {
+        uvec4 triangle = fetchTriangle(instance.parameters + int(record.y));
+        Vertex a = fetchVertex(int(triangle.x));
+        Vertex b = fetchVertex(int(triangle.y));
+        Vertex c = fetchVertex(int(triangle.z));
+        vec2 vw = unpackBarycentrics(record.z);
+        uv = (1.0 - vw.x - vw.y) * a.uv + vw.x * b.uv + vw.y * c.uv;
+        part = int(triangle.w);
+        vec3 edge1 = transformVector(instance.worldFromObject, b.position - a.position);
+        vec3 edge2 = transformVector(instance.worldFromObject, c.position - a.position);
+        normal = transformNormal(instance.objectFromWorld,
+                                 cross(b.position - a.position, c.position - a.position));
+        normal = normalize(normal);
+        vec2 uv1 = b.uv - a.uv;
+        vec2 uv2 = c.uv - a.uv;
+        float area = length(cross(edge1, edge2));
+        float perMetre = area > 0.0 ? sqrt(abs(uv1.x * uv2.y - uv1.y * uv2.x) / area) : 0.0;
+        footprint = 2.0 * (ray.radius + frame.cameraEye.w * t) * perMetre /
+                    max(0.1, abs(dot(ray.direction, normal)));
+    }
+    vec4 list = fetchTable(instance.materials);
+    part = clamp(part, 0, int(list.y) - 1);
+    int material = frame.tables.y +
+                   int(fetchTable(instance.materials + part).x) * VITRINE_MATERIAL_TEXELS;
+    vec4 color = barrierColor(material, uv, footprint);
+    vec4 c = fetchTable(material + 2);
+    vec4 e = fetchTable(material + 4);
+    vec4 f = fetchTable(material + 5);
+
+    Barrier barrier;
+    barrier.flags = int(c.z);
+    float cutoff = fetchTable(material + 3).w;
+    barrier.opacity = 1.0;
+    if ((barrier.flags & VITRINE_ALPHA_MASK) != 0) barrier.opacity = color.a < cutoff ? 0.0 : 1.0;
+    if ((barrier.flags & VITRINE_ALPHA_BLEND) != 0) barrier.opacity = color.a;
+    float cosine = dot(ray.direction, normal);
+    barrier.back = cosine > 0.0;
+    float index = (e.w - 1.0) / (e.w + 1.0);
+    vec3 f0 = min(index * index * e.rgb, 1.0) * c.w;
+    vec3 fresnel = f0 + (c.w - f0) * schlickPower(abs(cosine));
+    barrier.glass = f.w * (1.0 - fetchTable(material).w) * color.rgb * (1.0 - fresnel);
+    barrier.absorption = (barrier.flags & VITRINE_MATERIAL_THIN) != 0 ? vec3(0.0) : f.rgb;
+    return barrier;
+}
+
+// Is a ray that looks for surfaces stopped? The same ray in the same sample always is, or never.
+bool stopsRay(Barrier barrier, uvec4 record) {
+    bool culled = (barrier.flags & VITRINE_MATERIAL_SINGLE_SIDED) != 0;
+    if (culled && barrier.back && barrier.glass == vec3(0.0)) return false;
+    int dimension = kDimensionFilter + int((record.x * 7919u + record.y * 104729u) & 0xffffu) +
+                    frame.sampling.z * 65536;
+    float chance = random2(filterPixel, frame.sampling.x, dimension, frame.sampling.w).x;
+    return chance < barrier.opacity;
+}
+#endif
