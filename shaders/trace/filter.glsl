@@ -98,7 +98,7 @@ bool stopsRay(Barrier barrier, uvec4 record) {
     if (culled && barrier.back && barrier.glass == vec3(0.0)) return false;
     int dimension = kDimensionFilter + int((record.x * 7919u + record.y * 104729u) & 0xffffu) +
                     frame.sampling.z * 65536;
-    float chance = random2(filterPixel, frame.sampling.x, dimension, frame.sampling.w).x;
+    float chance = random2(filterPixel, frame.sampling.x, frame.sampling.y, dimension, frame.sampling.w).x;
     return chance < barrier.opacity;
 }
 #endif
