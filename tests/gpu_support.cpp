@@ -112,6 +112,12 @@ void TestScene::setEnvironment(float radiance) {
     scene.environment.ground.rgb = glm::vec3(radiance);
 }
 
+void TestScene::setSky(const ImageRgba32f& picture) {
+    auto sky = std::make_shared<SkyAsset>();
+    sky->map = makeSkyMap(picture);
+    assets_.sky = std::move(sky);
+}
+
 LoadedScene TestScene::load() const {
     LoadedScene loaded;
     loaded.scene = scene;

@@ -52,6 +52,8 @@ class TestScene {
     Node& add(int shape, int material = -1);
     void addSun(const glm::vec3& direction, float intensity);
     void setEnvironment(float radiance);
+    /// A picture of all directions (pack/sky_map.hpp).
+    void setSky(const ImageRgba32f& picture);
 
     /// Throws InputError, with the messages, if something is wrong with the scene.
     [[nodiscard]] LoadedScene load() const;

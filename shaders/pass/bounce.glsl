@@ -44,8 +44,12 @@ Bounce bouncePass(ivec2 pixel) {
     if (!(left >= max(least, 1.0e-6))) return ended;
     Ray ray = Ray(next.through ? hit.behind : hit.rayOrigin, next.direction, hit.radius);
     float blur = isReference() ? 0.0 : max(path.blur, highlightBlur(next.alpha));
+    // Seen by a blurred path, lights and the bright sky have been taken in with a lobe as wide as the
+    // blur where this ray starts, or mirrors in rough surfaces would sparkle with images of the sun.
+    // This ray looks for none, which a density below zero says.
+    float pdf = path.blur > 0.0 ? -max(next.pdf, 1.0 / (kPi * square(path.blur))) : next.pdf;
     return Bounce(trace(ray, kInfinity), vec4(ray.origin, ray.radius), vec4(ray.direction, blur),
-                  vec4(throughput, next.pdf));
+                  vec4(throughput, pdf));
 }
 
 #if COUNTERS

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Light that leaves each hit towards the path: emission, all lights with hard shadows, and ambient
-// light with rays for its occlusion. One loop, one place where shadow rays are traced.
+// Light that leaves each hit towards the path: emission, all lights, the bright part of the sky, and
+// ambient light with rays for its occlusion. One loop, one place where shadow rays are traced.
+//
+// What has a size is found in two ways, by choosing a direction to it here and by the bounces that
+// run into it; both count by the balance heuristic (Veach & Guibas, Optimally Combining Sampling
+// Techniques, SIGGRAPH 1995). Surfaces that glow are not chosen: they light what bounces off them.
 #define TRACE_ANY 1
 #include "trace/trace.glsl"
 #include "shade/path.glsl"
@@ -12,59 +16,169 @@
 
 uniform sampler2D radianceBefore;
 
-// A look for light: where to, how far, and what arrives if nothing is in the way or something is.
+// A look for light: where to, how far, and what of it counts if nothing is in the way or something
+// is. `sky`: the factors are on this part of the sky's radiance; kNoSky: they are radiance.
 struct Probe {
     vec3 direction;
     float distance;
     vec3 open;
     vec3 blocked;
+    int sky;
+    float level;
 };
+const int kNoSky = -1;
+
+// Directions to the bright sky from a hit after so many bounces.
+int skySamples(int bounce) { return bounce == 0 ? frame.skyTree.z : frame.skyTree.w; }
+
+// What the surface sends to the viewer of light from `direction` that was chosen with `density`, and
+// that a bounce may find as well. 0: a bounce cannot.
+vec3 answerToLight(Hit hit, Path path, vec3 direction, float density) {
+    float leastAlpha = density > 0.0 ? path.blur : max(path.blur, kLeastLightAlpha);
+    vec3 toViewer = -path.ray.direction;
+    Answer all = evaluateReflection(hit.surface, toViewer, direction, leastAlpha, true);
+    Answer lobe = evaluateReflection(hit.surface, toViewer, direction, leastAlpha, false);
+    // Bounces of blurred paths look for no lights (pass/bounce.glsl).
+    float other = density > 0.0 && path.blur <= 0.0 ? all.pdf : 0.0;
+    // In hybrid mode they follow the lobes that mirror, and light of the others is found here alone.
+    vec3 foundTwice = isReference() ? all.value : lobe.value;
+    return max(all.value - foundTwice * (other / max(density + other, 1.0e-30)), 0.0);
+}
+
+Probe lightProbe(Hit hit, Path path, ivec2 pixel, int light) {
+    int dimension = kDimensionLights + 32 * (light & 31) + (frame.sampling.z & 31);
+    vec2 u = random2(pixel, frame.sampling.x, dimension, frame.sampling.w);
+    LightSample chosen = sampleLight(light, hit.surface.position, u);
+    vec3 answer = answerToLight(hit, path, chosen.direction, chosen.density) * chosen.irradiance;
+    if (frame.image.w == VITRINE_VIEW_SHADOW)
+        answer = vec3(answer == vec3(0.0) ? 0.0 : 1.0 / float(frame.counts.x));
+    return Probe(chosen.direction, chosen.distance, answer, vec3(0.0), kNoSky, 0.0);
+}
+
+#if HAS_SKY
+Probe brightProbe(Hit hit, Path path, ivec2 pixel, int index, int count) {
+    int sampleIndex = frame.sampling.x * count + index;
+    vec2 u = random2(pixel, sampleIndex, frame.sampling.y * count,
+                     kDimensionSky + frame.sampling.z, frame.sampling.w);
+    SkySample chosen = sampleSky(u);
+    float density = float(count) * chosen.density;
+    vec3 answer = answerToLight(hit, path, chosen.direction, density) / max(density, 1.0e-30);
+    return Probe(chosen.direction, kInfinity, answer, vec3(0.0), kSkyBright, 0.0);
+}
+
+// The sky at the end of a path: first its ambient part, then the bright one.
+Probe missProbe(Path path, int part) {
+    float level = skyLevel(square(frame.cameraEye.w));
+    float weight = 1.0;
+    if (path.pdf != 0.0) {
+        // A ray of a lobe stands for the directions around it; fewer rays, more of them (Colbert &
+        // Krivanek, GPU-Based Importance Sampling, GPU Gems 3, 2007).
+        level = isReference() ? 0.0
+                              : skyLevel(1.0 / (float(frame.sampling.y) * abs(path.pdf))) - 1.0;
+        if (part == kSkyBright) {
+            float count = float(skySamples(frame.sampling.z - 1));
+            float density = count > 0.0 ? count * skyDensity(path.ray.direction) : 0.0;
+            weight = max(path.pdf, 0.0) / (abs(path.pdf) + density);
+            level = 0.0;
+        }
+    }
+    return Probe(path.ray.direction, 0.0, vec3(weight), vec3(weight), part, level);
+}
+#endif
 
 Probe ambientProbe(Hit hit, ivec2 pixel, int index, int count) {
     Surface s = hit.surface;
-    vec3 albedo = ambientAlbedo(s) * s.occlusion / float(count);
+    vec3 albedo = ambientAlbedo(s) * s.occlusion;
+    if (frame.image.w == VITRINE_VIEW_AO) albedo = vec3(1.0);
+    albedo /= float(count);
     float ao = frame.shading.z;
-    if (ao <= 0.0) return Probe(s.normal, 0.0, albedo * environmentRadiance(s.normal), vec3(0.0));
     int sampleIndex = frame.sampling.x * count + index;
     vec3 local = sampleCosine(random2(pixel, sampleIndex, frame.sampling.y * count,
                                       kDimensionAmbient + frame.sampling.z, frame.sampling.w));
+#if !HAS_SKY
+    if (ao <= 0.0) local = vec3(0.0, 0.0, 1.0);
+#endif
     vec3 tangent, bitangent;
     orthonormalBasis(s.normal, tangent, bitangent);
     vec3 direction = local.x * tangent + local.y * bitangent + local.z * s.normal;
-    vec3 radiance = albedo * environmentRadiance(direction);
-    return Probe(direction, frame.shading.w, radiance, radiance * (1.0 - ao));
+    Probe probe = Probe(direction, ao > 0.0 ? frame.shading.w : 0.0, albedo, albedo * (1.0 - ao),
+                        kSkyAmbient, 0.0);
+    if (frame.image.w == VITRINE_VIEW_AO) {
+        probe.sky = kNoSky;
+        return probe;
+    }
+#if HAS_SKY
+    float density = max(local.z, 0.05) / kPi;
+    probe.level = skyLevel(1.0 / (float(frame.sampling.y * count) * density)) - 1.0;
+#else
+    vec3 radiance = gradientRadiance(direction);
+    probe.open *= radiance;
+    probe.blocked *= radiance;
+#endif
+    return probe;
 }
 
-vec3 shade(uvec4 record, Path path, ivec2 pixel) {
-    Hit hit = loadHit(record, path.ray);
-    vec3 toViewer = -path.ray.direction;
-    bool shadowView = frame.image.w == VITRINE_VIEW_SHADOW;
-    int lights = frame.counts.x;
-    int ambient = shadowView || isReference() ? 0 : max(1, int(frame.display.w) / (frame.sampling.z == 0 ? 1 : 4));
+// Lights with a size that the path's ray ran into before it met a surface.
+vec3 lightsSeen(Path path, float nearest) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < frame.probes.x; i++) {
+        if (!mayLoop()) break;
+        LightSeen light = seeLight(i, path.ray, nearest, frame.sampling.z == 0);
+        sum += path.pdf == 0.0 ? min(light.radiance, kMostSeen)
+                               : light.radiance * (max(path.pdf, 0.0) / (abs(path.pdf) + light.density));
+    }
+    return sum;
+}
+
+vec3 gather(uvec4 record, Path path, ivec2 pixel) {
+    int view = frame.image.w;
+    bool surface = isSurface(record);
+    int lights = view == VITRINE_VIEW_AO ? 0 : frame.counts.x;
+    int ambient = view == VITRINE_VIEW_SHADOW ? 0 : frame.sampling.z == 0 ? frame.probes.y : frame.probes.z;
+    bool light = view != VITRINE_VIEW_AO && view != VITRINE_VIEW_SHADOW;
+    vec3 sum = vec3(0.0);
     vec3 ambientSum = vec3(0.0);
-    vec3 sum = shadowView ? vec3(0.0) : hit.surface.emission;
-    for (int i = 0; i < lights + ambient; i++) {
+    Hit hit;
+    hit.way = vec3(1.0);
+    if (surface) hit = loadHit(record, path.ray);
+    if (light) {
+        sum = lightsSeen(path, surface ? recordDistance(record) : kInfinity);
+        if (surface) sum += hit.surface.emission;
+    }
+#if HAS_SKY
+    int bright = light ? skySamples(frame.sampling.z) : 0;
+    int count = surface ? lights + bright + ambient : light ? 2 : 0;
+#else
+    int bright = 0;
+    int count = surface ? lights + ambient : 0;
+    if (!surface && light) sum += gradientRadiance(path.ray.direction);
+#endif
+    for (int i = 0; i < count; i++) {
         if (!mayLoop()) break;
         Probe probe;
-        if (i < lights) {
-            LightSample light = sampleLight(i, hit.surface.position);
-            vec3 answer = evaluateReflection(hit.surface, toViewer, light.direction,
-                                             max(path.blur, kLeastLightAlpha), true).value *
-                          light.irradiance;
-            if (shadowView) answer = vec3(answer == vec3(0.0) ? 0.0 : 1.0 / float(lights));
-            probe = Probe(light.direction, light.distance, answer, vec3(0.0));
-        } else {
-            probe = ambientProbe(hit, pixel, i - lights, ambient);
-        }
+#if HAS_SKY
+        if (!surface)
+            probe = missProbe(path, i);
+        else if (i >= lights && i < lights + bright)
+            probe = brightProbe(hit, path, pixel, i - lights, bright);
+        else
+#endif
+        if (i < lights)
+            probe = lightProbe(hit, path, pixel, i);
+        else
+            probe = ambientProbe(hit, pixel, i - lights - bright, ambient);
         float distance = maxComponent(probe.open) > 0.0 ? probe.distance : 0.0;
         uvec4 obstacle = missRecord();
         if (distance > 0.0)
             obstacle = trace(Ray(hit.rayOrigin, probe.direction, hit.radius), distance);
-        vec3 light = isSurface(obstacle) || distance <= 0.0
-                         ? probe.blocked
-                         : mix(probe.blocked, probe.open, transmittance);
-        if (i < lights) sum += light;
-        else ambientSum += light;
+        vec3 arrives = isSurface(obstacle) || distance <= 0.0
+                           ? probe.blocked
+                           : mix(probe.blocked, probe.open, transmittance);
+#if HAS_SKY
+        if (probe.sky != kNoSky) arrives *= skyRadiance(probe.direction, probe.level, probe.sky);
+#endif
+        if (surface && i >= lights + bright) ambientSum += arrives;
+        else sum += arrives;
     }
     // More occlusion than is natural (ao above 1) must not take away other light.
     return hit.way * (sum + max(ambientSum, 0.0));
@@ -75,12 +189,7 @@ vec4 lightPass(ivec2 pixel) {
     vec3 before = texelFetch(radianceBefore, pixel, 0).rgb;
     if (record.x == VITRINE_RECORD_NONE) return vec4(before, 1.0);
     Path path = loadPath(pixel);
-    vec3 radiance = vec3(0.0);
-    if (isSurface(record))
-        radiance = shade(record, path, pixel);
-    else if (frame.image.w != VITRINE_VIEW_SHADOW)
-        radiance = environmentRadiance(path.ray.direction);
-    return vec4(before + path.throughput * radiance, 1.0);
+    return vec4(before + path.throughput * gather(record, path, pixel), 1.0);
 }
 
 #if COUNTERS

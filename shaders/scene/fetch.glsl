@@ -8,12 +8,18 @@ uniform usampler2D sceneSlots;      // the trees: nodes, triangles, instances
 uniform usampler2D sceneTriangles;  // three vertices and the part of each triangle
 uniform sampler2D sceneVertices;    // position, u | normal, v
 uniform sampler2D sceneTables;      // instances, materials, lights, parameters
+#if HAS_SKY
+uniform sampler2D skyTree;  // nodes of the trees of pack/sky_map.hpp
+#endif
 #define FETCH(sampler, i) texelFetch(sampler, ivec2((i) & 2047, (i) >> 11), 0)
 #else
 uniform usamplerBuffer sceneSlots;
 uniform usamplerBuffer sceneTriangles;
 uniform samplerBuffer sceneVertices;
 uniform samplerBuffer sceneTables;
+#if HAS_SKY
+uniform samplerBuffer skyTree;
+#endif
 #define FETCH(sampler, i) texelFetch(sampler, i)
 #endif
 

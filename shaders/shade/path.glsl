@@ -15,13 +15,16 @@ struct Path {
     float blur;  // width of the highlights that can be told from noise along this path
                  // (after Jendersie & Grosch, Microfacet Model Regularization, EGSR 2019)
     float pdf;   // density, a steradian, with which the last bounce took this direction; 0: it had
-                 // no choice (camera ray, mirror, glass), and nothing else finds what lies there
+                 // no choice (camera ray, mirror, glass), and nothing else finds what lies there;
+                 // below 0: what is bright there has been found already (pass/bounce.glsl)
 };
 
 // Uses of random numbers, so that no two share one.
 const int kDimensionAmbient = 16;  // and 15 more
+const int kDimensionSky = 32;      // and 15 more
 const int kDimensionBounce = 64;   // and one a bounce
 const int kDimensionChoice = 128;  // and one a bounce: of a lobe, and whether the path goes on
+const int kDimensionLights = 256;  // and 31 more a light, of which there are 32 kinds
 
 // For what takes one point a sample.
 vec2 random2(ivec2 pixel, int sampleIndex, int dimension, int seed) {

@@ -27,7 +27,7 @@
 #define VITRINE_INSTANCE_TEXELS 9
 #define VITRINE_MATERIAL_TEXELS 8
 #define VITRINE_TEXTURE_SLOT_TEXELS 3
-#define VITRINE_LIGHT_TEXELS 4
+#define VITRINE_LIGHT_TEXELS 6
 #define VITRINE_VERTEX_TEXELS 2
 
 // What a texture slot of a material is for.
@@ -50,6 +50,8 @@
 #define VITRINE_LIGHT_SUN 0
 #define VITRINE_LIGHT_POINT 1
 #define VITRINE_LIGHT_SPOT 2
+#define VITRINE_LIGHT_SPHERE 3
+#define VITRINE_LIGHT_RECT 4
 
 // Alpha modes, in the order of AlphaMode, and the other flags of a material.
 #define VITRINE_ALPHA_MASK 1
@@ -87,10 +89,11 @@
 #define VITRINE_VIEW_DIRECT 8
 #define VITRINE_VIEW_SHADOW 9
 #define VITRINE_VIEW_REFLECTION 10
-#define VITRINE_VIEW_STEPS 11
-#define VITRINE_VIEW_NODES 12
-#define VITRINE_VIEW_LOOPS 13
-#define VITRINE_VIEW_BVH 14
+#define VITRINE_VIEW_AO 11
+#define VITRINE_VIEW_STEPS 12
+#define VITRINE_VIEW_NODES 13
+#define VITRINE_VIEW_LOOPS 14
+#define VITRINE_VIEW_BVH 15
 
 // Tone maps, in the order of ToneMap (scene/scene.hpp).
 #define VITRINE_TONE_NONE 0

@@ -9,6 +9,12 @@
 #include "pack/camera.hpp"
 
 namespace vitrine {
+namespace {
+
+// Of a picture of one sample.
+constexpr int kAmbientProbes = 16, kSkyProbes = 4;
+
+}  // namespace
 
 Frame::Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters)
     : context_(context.info(),
@@ -17,6 +23,7 @@ Frame::Frame(const Context& context, const PackedScene& scene, Backend backend, 
       rasterPossible_(context.info().clipControl),
       maxSide_(context.info().maxTextureSize) {
     context_.scene.upload(scene);
+    sky_ = scene.sky;
     use(scene);
 }
 
@@ -56,11 +63,12 @@ void Frame::begin(const FrameRequest& request) {
     block.shading.x = request.time;
     block.image.w = static_cast<int>(request.view);
     block.path.x = static_cast<int>(request.mode);
-    block.path.y = request.bounces;
+    const bool firstHitOnly =
+        request.view == View::kDirect || request.view == View::kShadow || request.view == View::kAo;
+    block.path.y = firstHitOnly ? 0 : request.bounces;
     block.sampling.y = request.samples;
     block.sampling.w = request.seed;
-    // Enough rays for ambient occlusion that a picture of few samples is not speckled.
-    block.display.w = static_cast<float>(std::clamp(16 / request.samples, 1, 16));
+    chooseProbes();
     if (request.view == View::kBvh) treeBoxes_.upload(treeLevel(instances_, request.treeLevel));
     if (!resized) return;
     layers_ = {};
@@ -74,6 +82,28 @@ void Frame::begin(const FrameRequest& request) {
     depth_ = DepthImage(width, height);
     black_ = image(TexelFormat::kRgba32f);
     black_.clear();
+}
+
+/// How many ways each hit looks for light. Few samples a pixel look more often each, so that a
+/// picture of one sample is not speckled; later hits look less often.
+void Frame::chooseProbes() {
+    FrameBlock& block = context_.block;
+    const auto share = [&](int all) { return std::clamp(all / request_.samples, 1, all); };
+    const auto later = [](int first) { return std::max(1, first / 4); };
+    const bool reference = request_.mode == RenderMode::kReference;
+    const int ambient = reference ? 0 : share(kAmbientProbes);
+    block.probes.y = ambient;
+    block.probes.z = reference ? 0 : later(ambient);
+    block.sky.w = reference ? 1.0f : 0.0f;
+    block.skyTree = glm::ivec4(0);
+    if (sky_ == nullptr) return;
+    const SkyMap& map = sky_->map;
+    const SkyTree& tree = reference ? map.whole : map.bright;
+    block.skyTree.x = reference ? static_cast<int>(map.bright.nodes.size()) : 0;
+    block.skyTree.y = tree.levels;
+    if (tree.levels == 0) return;
+    block.skyTree.z = reference ? 1 : share(kSkyProbes);
+    block.skyTree.w = reference ? 1 : later(block.skyTree.z);
 }
 
 void Frame::drawSample() {
@@ -106,14 +136,12 @@ void Frame::findFirstHits() {
 
 /// Light at the first hits, then bounce by bounce. Leaves the result in radiance_[0].
 void Frame::followPaths() {
-    const bool firstHitOnly = request_.view == View::kDirect || request_.view == View::kShadow;
     const bool reflectionOnly = request_.view == View::kReflection;
     context_.block.path.z = transmissive_ ? VITRINE_SPLIT_REFLECT : VITRINE_SPLIT_NONE;
     if (reflectionOnly)
         radiance_[0].clear();
     else
         lightPass(context_, paths_[0], black_, radiance_[0]);
-    if (firstHitOnly) return;
     followBounces();
     if (!transmissive_ || reflectionOnly) return;
     // The first glass both mirrors and lets through, without noise; what stands behind chooses.
@@ -126,7 +154,7 @@ void Frame::followPaths() {
 void Frame::followBounces() {
     const PathImages* from = &paths_[0];
     PathImages *to = &paths_[1], *next = &paths_[transmissive_ ? 2 : 0];
-    for (int bounce = 0; bounce < request_.bounces; ++bounce) {
+    for (int bounce = 0; bounce < context_.block.path.y; ++bounce) {
         bouncePass(context_, *from, *to);
         lightPass(context_, *to, radiance_[0], radiance_[1]);
         std::swap(radiance_[0], radiance_[1]);

@@ -69,6 +69,7 @@ class Frame {
 
   private:
     void use(const PackedMoment& moment);
+    void chooseProbes();
     void findFirstHits();
     void followPaths();
     void followBounces();
@@ -84,6 +85,7 @@ class Frame {
     DepthImage depth_;
     std::vector<PackedInstance> instances_;
     TreeBoxes treeBoxes_;
+    std::shared_ptr<const SkyAsset> sky_;
     int fieldRoot_ = -1;
     bool transmissive_ = false;  ///< there is glass
     bool rasterPossible_;

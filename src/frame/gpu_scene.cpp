@@ -21,6 +21,16 @@ void GpuScene::upload(const PackedScene& scene) {
     update(scene);
     colorPages = uploadPages(scene.textures.color, true);
     dataPages = uploadPages(scene.textures.data, false);
+    if (scene.sky == nullptr || scene.sky == uploadedSky_) return;
+    const SkyMap& sky = scene.sky->map;
+    std::vector<glm::vec4> nodes = sky.bright.nodes;
+    nodes.insert(nodes.end(), sky.whole.nodes.begin(), sky.whole.nodes.end());
+    skyTree.upload(std::as_bytes(std::span(nodes)));
+    std::vector<MipTexture::Level> levels;
+    for (const SkyLevel& level : sky.levels)
+        levels.push_back({level.width, level.height, level.texels});
+    skyPicture = MipTexture(levels);
+    uploadedSky_ = scene.sky;
 }
 
 void GpuScene::update(const PackedMoment& moment) {
@@ -32,7 +42,12 @@ std::vector<std::pair<std::string, const TexelBuffer*>> GpuScene::bindings() con
     return {{"sceneSlots", &slots},
             {"sceneTriangles", &triangles},
             {"sceneVertices", &vertices},
-            {"sceneTables", &tables}};
+            {"sceneTables", &tables},
+            {"skyTree", &skyTree}};
+}
+
+std::vector<std::pair<std::string, const MipTexture*>> GpuScene::pictures() const {
+    return {{"skyPicture", &skyPicture}};
 }
 
 std::vector<std::pair<std::string, const TextureArray*>> GpuScene::arrays() const {

@@ -16,6 +16,7 @@ void PassContext::run(const std::string& pass, PassImages images) {
     const Program& program = programs.get(pass);
     images.buffers = scene.bindings();
     images.arrays = scene.arrays();
+    images.pictures = scene.pictures();
     const bool counts = counting && findPass(pass).traces;
     if (counts) {
         images.inputs.emplace_back("countersBefore", &counters[0]);

@@ -56,6 +56,7 @@ ProgramFeatures featuresOf(const PackedScene& scene, bool counters) {
     features.textures = scene.textures.any();
     features.layers = scene.hasLayers;
     features.transmission = scene.hasTransmission;
+    features.sky = scene.sky != nullptr;
     features.filters = scene.hasFilters;
     features.culling = scene.hasCulling;
     return features;
@@ -69,6 +70,7 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
     key.defines["HAS_TEXTURES"] = features.textures ? 1 : 0;
     key.defines["HAS_LAYERS"] = features.layers ? 1 : 0;
     key.defines["HAS_TRANSMISSION"] = features.transmission ? 1 : 0;
+    key.defines["HAS_SKY"] = features.sky ? 1 : 0;
     key.defines["HAS_FILTERS"] = (traces || pass == "raster") && features.filters ? 1 : 0;
     if (traces) {
         key.defines["HAS_CULLING"] = features.culling ? 1 : 0;

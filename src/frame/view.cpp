@@ -20,8 +20,8 @@ static_assert(static_cast<int>(View::kDirect) == VITRINE_VIEW_DIRECT);
 const std::vector<std::string>& viewNames() {
     static const std::vector<std::string> names{"color",    "albedo",    "normal",      "depth",
                                                 "instance", "primitive", "barycentric", "material",
-                                                "direct",   "shadow",    "reflection",  "steps",
-                                                "nodes",    "loops",     "bvh"};
+                                                "direct",   "shadow",    "reflection",  "ao",
+                                                "steps",    "nodes",     "loops",       "bvh"};
     return names;
 }
 

@@ -21,6 +21,7 @@ enum class View {
     kDirect,
     kShadow,
     kReflection,
+    kAo,
     kSteps,
     kNodes,
     kLoops,

@@ -60,6 +60,12 @@ void PassRunner::run(const Program& program, const UniformBlock& block, const Pa
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         glBindTexture(GL_TEXTURE_2D_ARRAY, array->id());
     }
+    for (const auto& [name, picture] : images.pictures) {
+        const int unit = program.unit(name);
+        if (unit < 0) continue;
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D, picture->id());
+    }
     glActiveTexture(GL_TEXTURE0);
     program.isCompute() ? dispatch(program, images) : draw(program, images);
     checkGl("running a pass");

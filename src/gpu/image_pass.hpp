@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gpu/mip_texture.hpp"
 #include "gpu/program.hpp"
 #include "gpu/texture.hpp"
 
@@ -18,6 +19,7 @@ struct PassImages {
     /// All of one size; that size is what is drawn.
     std::vector<std::pair<std::string, const Texture*>> outputs;
     std::vector<std::pair<std::string, const TextureArray*>> arrays = {};
+    std::vector<std::pair<std::string, const MipTexture*>> pictures = {};
 };
 
 class PassRunner {

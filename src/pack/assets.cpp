@@ -10,8 +10,11 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "image/decode.hpp"
+#include "image/exr.hpp"
+#include "image/hdr.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/primitives.hpp"
+#include "pack/atmosphere.hpp"
 #include "pack/tree_options.hpp"
 
 namespace vitrine {
@@ -85,7 +88,45 @@ class AssetReader {
         return pictures_[texture.file.name] = asset;
     }
 
+    std::shared_ptr<const SkyAsset> sky(const Environment& environment) {
+        auto asset = std::make_shared<SkyAsset>();
+        if (environment.atmosphere) {
+            const Atmosphere air = makeAtmosphere(
+                {environment.sunElevation, environment.turbidity, environment.ground.rgb});
+            asset->map = makeSkyMap(air.sky);
+            asset->sun = {air.sunIrradiance, kSunRadiusDegrees};
+            return asset;
+        }
+        if (environment.picture.empty()) return nullptr;
+        const auto bytes = read(environment.picture, kMaxPictureBytes);
+        if (!bytes) return nullptr;
+        try {
+            const std::span content(reinterpret_cast<const uint8_t*>(bytes->data()), bytes->size());
+            asset->map =
+                makeSkyMap(isHdr(content) ? decodeHdr(content, path_) : decodeSkyExr(content));
+        } catch (const InputError& e) {
+            diagnostics_.append(e.diagnostics());
+            return nullptr;
+        }
+        if (asset->map.mendedTexels > 0)
+            diagnostics_.warning(
+                environment.picture.where,
+                fmt::format("'{}': {} texels are negative, infinite or no numbers; they count as "
+                            "the nearest light there is",
+                            environment.picture.name, asset->map.mendedTexels));
+        return asset;
+    }
+
   private:
+    ImageRgba32f decodeSkyExr(std::span<const uint8_t> content) const {
+        const ImageSize size = exrSize(content, path_);
+        if (size.pixelCount() > kMaxHdrPixels)
+            throw InputError(
+                {path_}, fmt::format("a sky of {} x {} pixels is too large; at most {} are read",
+                                     size.width, size.height, kMaxHdrPixels));
+        return decodeExr(content, path_);
+    }
+
     /// The content; `path_` is then where it came from.
     std::optional<std::string> read(const Reference& file, uint64_t limit) {
         try {
@@ -152,6 +193,7 @@ Assets loadAssets(const Scene& scene, Diagnostics& diagnostics) {
         for (const MaterialTexture* texture : materialTextures(material))
             pictures.push_back(reader.picture(*texture));
     }
+    assets.sky = reader.sky(scene.environment);
     return assets;
 }
 

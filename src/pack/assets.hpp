@@ -8,6 +8,7 @@
 
 #include "bvh/bvh.hpp"
 #include "mesh/mesh.hpp"
+#include "pack/sky_map.hpp"
 #include "scene/scene.hpp"
 #include "sdf/snippet.hpp"
 #include "shared/limits.glsl"
@@ -20,6 +21,16 @@ struct MeshAsset {
     double buildSeconds = 0;
 };
 
+/// The picture around the scene, and the sun that a computed one has.
+struct SkyAsset {
+    SkyMap map;
+    struct Sun {
+        glm::vec3 irradiance{0};  ///< on a surface that faces it
+        float radius = 0;         ///< degrees
+    };
+    std::optional<Sun> sun;  ///< stands over the middle of the picture, at the scene's elevation
+};
+
 /// One entry a shape or material of the scene, in its order; null where there is none or where
 /// reading failed, with a diagnostic.
 struct Assets {
@@ -28,6 +39,7 @@ struct Assets {
     std::vector<std::shared_ptr<const Snippet>> materials;
     /// The pictures of each material's textures, in the order of materialTextures().
     std::vector<std::vector<std::shared_ptr<const ImageRgba8>>> pictures;
+    std::shared_ptr<const SkyAsset> sky;  ///< null: the gradient, or reading failed
 };
 
 /// The textures of a material in the order of VITRINE_SLOT_*.

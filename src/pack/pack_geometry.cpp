@@ -41,6 +41,7 @@ PackedGeometry packGeometry(const Scene& scene, const Assets& assets) {
     out.materialSnippets = eachOnce(assets.materials);
     out.shaders = generateShaders(out.fieldSnippets, out.materialSnippets);
     out.textures = packMaterialTextures(scene, assets);
+    out.sky = assets.sky;
 
     std::set<std::string> used;
     for (const Node& node : scene.nodes) used.insert(node.shape.name);

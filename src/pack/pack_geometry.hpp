@@ -26,6 +26,7 @@ struct PackedGeometry {
     std::vector<PackedMesh> meshes;  ///< one a shape of the scene
 
     PackedTextures textures;
+    std::shared_ptr<const SkyAsset> sky;  ///< null: the gradient in the block
 
     /// Each file once, in the order of their numbers in the tables (materials count from 1).
     std::vector<std::shared_ptr<const Snippet>> fieldSnippets, materialSnippets;

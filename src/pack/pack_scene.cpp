@@ -10,6 +10,7 @@
 #include "bvh/instance.hpp"
 #include "pack/albedo_table.hpp"
 #include "pack/check_animations.hpp"
+#include "pack/pack_light.hpp"
 #include "pack/parameters.hpp"
 
 namespace vitrine {
@@ -135,13 +136,31 @@ class Packer {
     }
 
     void packLights() {
-        for (const Light& light : scene_.lights) {
-            lights_.emplace_back(light.at, static_cast<float>(light.type));
-            lights_.emplace_back(light.color.rgb * light.intensity, light.range);
-            lights_.emplace_back(glm::normalize(light.direction), 0.0f);
-            lights_.emplace_back(std::cos(glm::radians(light.innerAngle)),
-                                 std::cos(glm::radians(light.outerAngle)), 0.0f, 0.0f);
-        }
+        std::vector<PackedLight> lights;
+        for (const Light& light : scene_.lights) lights.push_back(packLight(light));
+        if (geometry_.sky != nullptr && geometry_.sky->sun)
+            lights.push_back(packLight(sunOfTheSky()));
+        // Those with a size first: rays look for them.
+        const auto points = std::stable_partition(lights.begin(), lights.end(),
+                                                  [](const PackedLight& l) { return l.sized; });
+        out_.block.probes.x = static_cast<int>(points - lights.begin());
+        out_.block.counts.x = static_cast<int>(lights.size());
+        for (const PackedLight& light : lights)
+            lights_.insert(lights_.end(), light.texels.begin(), light.texels.end());
+    }
+
+    [[nodiscard]] Light sunOfTheSky() const {
+        const Environment& e = scene_.environment;
+        const float up = glm::radians(e.sunElevation);
+        const float around = glm::radians(e.sunAzimuth + e.rotation);
+        Light sun;
+        sun.type = LightType::kSun;
+        sun.direction = -glm::vec3(std::cos(up) * std::sin(around), std::sin(up),
+                                   std::cos(up) * std::cos(around));
+        sun.color.rgb = geometry_.sky->sun->irradiance;
+        sun.intensity = e.intensity;
+        sun.radius = geometry_.sky->sun->radius;
+        return sun;
     }
 
     /// First texel, in the lists, of the materials of a node's parts.
@@ -322,12 +341,18 @@ class Packer {
         b.background[0] = glm::vec4(e.zenith.rgb * e.intensity, 0);
         b.background[1] = glm::vec4(e.horizon.rgb * e.intensity, 0);
         b.background[2] = glm::vec4(e.ground.rgb * e.intensity, 0);
+        if (geometry_.sky != nullptr) {
+            const SkyMap& map = geometry_.sky->map;
+            // The sun stands over the middle of an atmosphere's picture, which is +x.
+            const float turn = e.rotation + (e.atmosphere ? e.sunAzimuth - 90 : 0);
+            b.sky = {map.scale * e.intensity, turn / 360,
+                     static_cast<float>(map.levels.front().width), 0};
+        }
         b.shading = {0, r.threshold, r.ao, r.aoDistance};
         const float size = out_.worldBox.empty() ? 1.0f : glm::length(out_.worldBox.extent());
         b.display = {std::exp2(r.exposure), r.gamma, std::min(size, 10.0f), 1};
         b.image.z = static_cast<int>(r.toneMap);
         b.sampling.w = r.seed;
-        b.counts.x = static_cast<int>(scene_.lights.size());
         b.counts.y = r.marchSteps;
         b.counts.w = VITRINE_LOOP_BUDGET;
     }

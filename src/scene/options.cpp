@@ -98,7 +98,20 @@ const OptionTable<Environment>& environmentOptions() {
     static const OptionTable<E> table{
         {"zenith", &E::zenith, kNotNegative, "radiance from straight above"},
         {"horizon", &E::horizon, kNotNegative, "radiance from the horizon"},
-        {"ground", &E::ground, kNotNegative, "radiance from below"},
+        {"ground", &E::ground, kNotNegative,
+         "radiance from below; with `sky = \"sun\"` the ground's reflectance"},
+        {"sun_elevation",
+         &E::sunElevation,
+         {-18, 90},
+         "degrees above the horizon; needs `sky = \"sun\"`"},
+        {"sun_azimuth", &E::sunAzimuth, kAnyNumber,
+         "degrees from +z towards +x; needs `sky = \"sun\"`"},
+        {"turbidity",
+         &E::turbidity,
+         {1, 10},
+         "haze: 1 pure air, 2 clear, 6 hazy; needs `sky = \"sun\"`"},
+        {"rotation", &E::rotation, kAnyNumber,
+         "degrees about +y by which a picture (or an atmosphere) is turned"},
         {"intensity", &E::intensity, kNotNegative, "factor on all of it"},
     };
     return table;
@@ -108,14 +121,20 @@ const OptionTable<Light>& lightOptions() {
     using L = Light;
     static const OptionTable<L> table{
         {"name", &L::name, kNone, "for `--set light.NAME.key=value`"},
-        {"type", choice<L>({"sun", "point", "spot"}, &L::type), kNone, "kind of light"},
-        {"at", &L::at, kAnyNumber, "position of a point or spot light, m"},
-        {"direction", &L::direction, kAnyNumber, "way the light of a sun or spot travels"},
+        {"type", choice<L>({"sun", "point", "spot", "sphere", "rect"}, &L::type), kNone,
+         "kind of light; a sphere is a point light with a size that can be seen"},
+        {"at", &L::at, kAnyNumber, "position of all but a sun, m"},
+        {"direction", &L::direction, kAnyNumber, "way the light of a sun, spot or rect travels"},
         {"color", &L::color, kNotNegative, "colour"},
-        {"intensity", &L::intensity, kNotNegative, "sun: irradiance, W/m2; point, spot: W/sr"},
+        {"intensity", &L::intensity, kNotNegative,
+         "sun: irradiance, W/m2; others: W/sr (of a rect, straight ahead)"},
+        {"radius", &L::radius, kNotNegative,
+         "size, for soft shadows: m; of a sun degrees (ours: 0.27); 0 makes hard shadows"},
+        {"size", ScaleMember<L>{&L::size}, kNotNegative,
+         "rect: width and height, m; z is not used"},
         {"inner_angle", &L::innerAngle, {0, 90}, "spot: full light within, degrees from the axis"},
         {"outer_angle", &L::outerAngle, {0, 90}, "spot: no light beyond, degrees from the axis"},
-        {"range", &L::range, kNotNegative, "point, spot: nothing is lit beyond, m; 0: no end"},
+        {"range", &L::range, kNotNegative, "nothing is lit beyond, m; 0: no end"},
     };
     return table;
 }

@@ -151,8 +151,13 @@ TEST(Options, EveryRowOfSingleSectionsReachesItsMember) {
     checkTable<RenderSettings>(renderOptions(),
                                {"[render]\n", "", [](const Scene& s) { return s.render; }});
     checkTable<TreeSettings>(bvhOptions(), {"[bvh]\n", "", [](const Scene& s) { return s.bvh; }});
-    checkTable<Environment>(environmentOptions(),
-                            {"[environment]\n", "", [](const Scene& s) { return s.environment; }});
+    checkTable<Environment>(environmentOptions(), {"[environment]\n",
+                                                   "",
+                                                   [](const Scene& s) { return s.environment; },
+                                                   {{"sun_elevation", "sky = \"sun\"\n"},
+                                                    {"sun_azimuth", "sky = \"sun\"\n"},
+                                                    {"turbidity", "sky = \"sun\"\n"},
+                                                    {"rotation", "sky = \"a.hdr\"\n"}}});
 }
 
 TEST(Options, EveryRowOfListedSectionsReachesItsMember) {
@@ -163,6 +168,7 @@ TEST(Options, EveryRowOfListedSectionsReachesItsMember) {
                                        [](const Scene& s) { return s.lights.at(0); },
                                        {{"at", "type = \"point\"\n"},
                                         {"range", "type = \"point\"\n"},
+                                        {"size", "type = \"rect\"\n"},
                                         {"inner_angle", "type = \"spot\"\nouter_angle = 90\n"},
                                         {"outer_angle", "type = \"spot\"\n"}}});
     checkTable<Node>(nodeOptions(), {"[[node]]\n",

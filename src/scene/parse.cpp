@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "scene/animations.hpp"
 #include "scene/include.hpp"
 #include "scene/references.hpp"
@@ -14,6 +15,8 @@
 
 namespace vitrine {
 namespace {
+
+constexpr float kDefaultSphereRadius = 0.1f;
 
 /// Walks the document section by section into the scene.
 class SceneParser {
@@ -125,18 +128,44 @@ class SceneParser {
     }
 
     void environment(const toml::node& node) {
-        single(node, "environment", environmentOptions(), scene_.environment, {"sky"});
+        Environment& environment = scene_.environment;
+        single(node, "environment", environmentOptions(), environment, {"sky"});
         const toml::table* table = node.as_table();
-        const toml::node* sky = table != nullptr ? table->get("sky") : nullptr;
+        if (table == nullptr) return;
+        const toml::node* sky = table->get("sky");
+        if (sky != nullptr && !readSky(*sky, environment)) return;
+        if (!environment.atmosphere)
+            for (const char* key : {"sun_elevation", "sun_azimuth", "turbidity"})
+                refuse(*table, key, fmt::format("{} has no effect: sky is not \"sun\"", key));
+        if (!environment.atmosphere && environment.picture.empty())
+            refuse(*table, "rotation", "rotation has no effect: sky is no picture");
         if (sky == nullptr) return;
-        Color color;
-        if (!readColor(*sky, "sky", {0, 1e9}, color, diagnostics_)) return;
         for (const char* key : {"zenith", "horizon", "ground"})
-            if (const toml::node* clash = table->get(key))
-                diagnostics_.error(
-                    placeOf(*clash),
-                    fmt::format("{} has no effect beside sky, which is all of them", key));
-        scene_.environment.zenith = scene_.environment.horizon = scene_.environment.ground = color;
+            if (!(environment.atmosphere && std::string_view(key) == "ground"))
+                refuse(*table, key,
+                       fmt::format("{} has no effect beside sky, which is all of them", key));
+    }
+
+    /// A colour, a file, or "sun".
+    bool readSky(const toml::node& sky, Environment& environment) {
+        const auto* text = sky.as_string();
+        if (text == nullptr || text->get().starts_with('#')) {
+            Color color;
+            if (!readColor(sky, "sky", {0, 1e9}, color, diagnostics_)) return false;
+            environment.zenith = environment.horizon = environment.ground = color;
+            return true;
+        }
+        environment.atmosphere = text->get() == "sun";
+        if (environment.atmosphere) return true;
+        if (!endsWith(text->get(), ".hdr") && !endsWith(text->get(), ".exr")) {
+            diagnostics_.error(
+                placeOf(sky),
+                fmt::format("sky must be \"sun\", a colour, or a .hdr or .exr file, not '{}'",
+                            text->get()));
+            return false;
+        }
+        environment.picture = {text->get(), placeOf(sky)};
+        return true;
     }
 
     void camera(const toml::table& table) {
@@ -162,17 +191,35 @@ class SceneParser {
             diagnostics_.error(placeOf(*table.get("direction")), "direction has no length");
         if (light.type == LightType::kSpot && light.innerAngle > light.outerAngle)
             diagnostics_.error(light.where, "inner_angle is larger than outer_angle");
-        if (light.type == LightType::kSun) refuse(table, "at", "a sun light has no position");
-        if (light.type == LightType::kPoint)
-            refuse(table, "direction", "a point light has no direction");
-        if (light.type == LightType::kSun) refuse(table, "range", "a sun light has no range");
+        const bool sun = light.type == LightType::kSun, rect = light.type == LightType::kRect;
+        const bool round = light.type == LightType::kPoint || light.type == LightType::kSphere;
+        if (light.type == LightType::kSphere && light.radius == 0) {
+            if (const toml::node* radius = table.get("radius"))
+                diagnostics_.error(placeOf(*radius),
+                                   "a sphere light needs a radius; a point has none");
+            light.radius = kDefaultSphereRadius;
+        }
+        if (sun && light.radius > 90)
+            diagnostics_.error(placeOf(*table.get("radius")),
+                               "the radius of a sun is at most 90 degrees");
+        if (rect && std::min(light.size.x, light.size.y) <= 0)
+            diagnostics_.error(placeOf(*table.get("size")),
+                               "a rect light needs a width and a height");
+        if (sun) refuse(table, "at", "a sun light has no position");
+        if (sun) refuse(table, "range", "a sun light has no range");
+        if (round)
+            refuse(table, "direction",
+                   fmt::format("a {} light has no direction",
+                               light.type == LightType::kPoint ? "point" : "sphere"));
+        if (rect) refuse(table, "radius", "a rect light has a size instead of a radius");
+        if (!rect) refuse(table, "size", "only a rect light has a size; others have a radius");
         if (light.type != LightType::kSpot)
             for (const char* key : {"inner_angle", "outer_angle"})
                 refuse(table, key, "only a spot light has a cone");
         scene_.lights.push_back(light);
     }
 
-    void refuse(const toml::table& table, const char* key, const char* message) {
+    void refuse(const toml::table& table, const char* key, const std::string& message) {
         if (const toml::node* unused = table.get(key))
             diagnostics_.error(placeOf(*unused), message);
     }

@@ -158,7 +158,16 @@ std::string sceneFormatReference() {
     section(out, "[[camera]]", cameraOptions());
     out << "\nThe first camera is used unless `--camera` names another.\n";
     section(out, "[environment]", environmentOptions());
-    out << "\n`sky = COLOUR` is short for the same zenith, horizon and ground.\n";
+    out << "\n`sky = COLOUR` is short for the same zenith, horizon and ground. `sky = "
+           "\"FILE.hdr\"` or "
+           "`\"FILE.exr\"` is\na picture of all directions (equirectangular, +Y up): its middle "
+           "lies "
+           "towards +x, and +z is a quarter\nof its width to the right, as in three.js and, after "
+           "Blender's import of glTF, in Cycles. `rotation` turns\nit counterclockwise seen from "
+           "above; the Mapping node of Cycles turns by the same angle with the other\nsign. "
+           "`sky = \"sun\"` is a computed atmosphere with the sun as a light. Its noon gives about "
+           "3 W/m2 with\nexposure 0; later hours are brightened as an eye would get used to "
+           "them.\n";
     section(out, "[[light]]", lightOptions());
     section(out, "[material.NAME]", materialOptions());
     out << "\n`set = { PARAMETER = VALUE }` gives values to the parameters of the snippet: "

@@ -80,23 +80,32 @@ struct Camera {
 /// Why nothing can be seen with this camera; "" if it is good.
 std::string problemOf(const Camera& camera);
 
-/// Radiance by direction: zenith above, horizon, ground below, blended smoothly.
+/// What is around the scene. A gradient: zenith above, horizon, ground below, blended smoothly. Or a
+/// picture. Or an atmosphere with a sun, computed.
 struct Environment {
     Color zenith{{0.22f, 0.34f, 0.60f}};
     Color horizon{{0.55f, 0.62f, 0.70f}};
-    Color ground{{0.20f, 0.19f, 0.18f}};
+    Color ground{{0.20f, 0.19f, 0.18f}};  ///< below an atmosphere: its reflectance
+    Reference picture;                    ///< a .hdr or .exr file
+    bool atmosphere = false;
+    float sunElevation = 40;  ///< degrees above the horizon
+    float sunAzimuth = 35;    ///< degrees from +z towards +x
+    float turbidity = 2.5f;   ///< 1: air without haze
+    float rotation = 0;       ///< degrees about +y, counterclockwise seen from above
     float intensity = 1;
 };
 
-enum class LightType { kSun, kPoint, kSpot };
+enum class LightType { kSun, kPoint, kSpot, kSphere, kRect };
 
 struct Light {
     std::string name;
     LightType type = LightType::kSun;
-    glm::vec3 at{0, 4, 0};            ///< point, spot
-    glm::vec3 direction{-1, -2, -1};  ///< sun, spot: the way the light travels
+    glm::vec3 at{0, 4, 0};            ///< all but the sun
+    glm::vec3 direction{-1, -2, -1};  ///< sun, spot, rect: the way the light travels
     Color color{{1, 1, 1}};
-    float intensity = 3;   ///< sun: irradiance, W/m2; point, spot: radiant intensity, W/sr
+    float intensity = 3;   ///< sun: irradiance, W/m2; others: radiant intensity, W/sr
+    float radius = 0;      ///< m; of a sun, degrees; 0: hard shadows
+    glm::vec3 size{1, 1, 0};  ///< rect: width and height, m; z is not used
     float innerAngle = 0;  ///< spot: full light within, degrees from the axis
     float outerAngle = 45;
     float range = 0;  ///< point, spot: nothing is lit beyond, m; 0: no end
