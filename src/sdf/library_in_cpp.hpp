@@ -54,7 +54,7 @@ inline Bounds makeBounds(vec2 low, vec2 high) {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wshadow"
-#include "library_as_cpp.inc"
+#include "sdf/library_as_cpp.inc"
 #pragma GCC diagnostic pop
 
 }  // namespace library
