@@ -30,7 +30,7 @@ constexpr Target kTargets[] = {{ShaderStage::kFragment, Dialect::kEs300, "frag"}
 
 bool entryExists(const std::string& pass, ShaderStage stage) {
     const std::string suffix = stage == ShaderStage::kCompute ? "comp" : "frag";
-    for (const EmbeddedShader& file : embeddedShaders())
+    for (const EmbeddedFile& file : embeddedShaders())
         if (file.name == fmt::format("entry/{}.{}.glsl", pass, suffix)) return true;
     return false;
 }
@@ -119,7 +119,7 @@ TEST_F(ShaderDialects, AMistakeIsNoticed) {
 TEST(ShaderEntries, EveryEntryBelongsToAPass) {
     std::set<std::string> known{"fullscreen"};
     for (const PassShader& pass : passShaders()) known.insert(pass.name);
-    for (const EmbeddedShader& file : embeddedShaders()) {
+    for (const EmbeddedFile& file : embeddedShaders()) {
         if (!startsWith(file.name, "entry/")) continue;
         const std::string_view name = file.name.substr(6);
         EXPECT_EQ(known.count(std::string(name.substr(0, name.find('.')))), 1u) << file.name;

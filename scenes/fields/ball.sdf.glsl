@@ -1,6 +1,5 @@
 // A ball that bounces for ever: one second up and down, flat when it hits, long when it flies.
 // bounds[-0.9, -0.02, -0.9,  0.9, 2.9, 0.9]
-// lipschitz[1.3]
 uniform float radius;  // slider[0.1, 0.5, 0.6] Radius, m
 uniform float height;  // slider[0.2, 1.6, 1.6] Height of the jump, m
 uniform float squash;  // slider[0.0, 0.32, 0.4] How soft the ball is
@@ -18,10 +17,6 @@ float sdf(vec3 p) {
     float tall = 1.0 - squash * press + 0.35 * squash * speed * speed;
     float wide = inversesqrt(tall);
 
-    // An ellipsoid. Its field is no true distance: the bound of Quilez, slope at most 1.3 here.
     vec3 axes = radius * vec3(wide, tall, wide);
-    vec3 q = p - vec3(0.0, hop + axes.y, 0.0);
-    float k0 = length(q / axes);
-    float k1 = length(q / (axes * axes));
-    return k1 > 0.0 ? k0 * (k0 - 1.0) / k1 : -radius;
+    return sdEllipsoid(p - vec3(0.0, hop + axes.y, 0.0), axes);
 }

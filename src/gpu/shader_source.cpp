@@ -90,7 +90,7 @@ class Assembler {
     static std::string_view find(const std::string& name, const std::string& includedFrom) {
         const auto& files = embeddedShaders();
         const auto file = std::find_if(files.begin(), files.end(),
-                                       [&](const EmbeddedShader& f) { return f.name == name; });
+                                       [&](const EmbeddedFile& f) { return f.name == name; });
         if (file == files.end())
             throw std::logic_error(fmt::format(
                 "shader file '{}' (included from '{}') does not exist", name, includedFrom));

@@ -12,17 +12,14 @@
 #include <string_view>
 #include <vector>
 
+#include "base/embedded_file.hpp"
 #include "base/error.hpp"
 
 namespace vitrine {
 
-struct EmbeddedShader {
-    std::string_view name;  ///< path from shaders/, such as "trace/bvh.glsl"
-    std::string_view text;
-};
-
-/// All files of shaders/, in the order of their names. Generated at build time.
-const std::vector<EmbeddedShader>& embeddedShaders();
+/// All files of shaders/ but those of lib/sdf, which sdf/library.hpp knows, in the order of their
+/// names. Generated at build time.
+const std::vector<EmbeddedFile>& embeddedShaders();
 
 enum class ShaderStage { kVertex, kFragment, kCompute };
 enum class Dialect { kEs300, kGl410, kGl450 };

@@ -34,7 +34,7 @@ TEST(ShaderSource, MissingIncludeNamesBothFiles) {
 }
 
 TEST(ShaderSource, IncludesAreOnceOnlyAndEsHasPrecision) {
-    for (const EmbeddedShader& file : embeddedShaders()) {
+    for (const EmbeddedFile& file : embeddedShaders()) {
         if (!startsWith(file.name, "entry/") || !endsWith(file.name, ".frag.glsl")) continue;
         const std::string entry(file.name.substr(6, file.name.size() - 6 - 10));
         const AssembledShader shader =

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
+#include "sdf/library.hpp"
+
 namespace vitrine {
 namespace {
 
@@ -10,11 +14,23 @@ namespace {
 constexpr int kLoopBudget = 1024;
 
 constexpr const char* kGuard =
+    "#ifndef SNIPPET_GUARD\n"
+    "#define SNIPPET_GUARD\n"
     "int snippetLoops = 0;\n"
     "bool snippetLoop() {{\n"
     "    snippetLoops++;\n"
     "    return snippetLoops <= {} && mayLoop();\n"
-    "}}\n";
+    "}}\n"
+    "#endif\n";
+
+/// What stands before the snippets: the guard of their loops and what they call of the library.
+/// Each part is there once in a program, though fields and materials may both need it.
+std::string preamble(const std::vector<std::shared_ptr<const Snippet>>& snippets) {
+    std::set<std::string> names;
+    for (const auto& snippet : snippets)
+        names.insert(snippet->libraryFunctions.begin(), snippet->libraryFunctions.end());
+    return fmt::format(kGuard, kLoopBudget) + sdfLibrary().emit(names, "snippetLoop()");
+}
 
 std::string globalName(const std::string& prefix, int index) {
     return fmt::format("{}value{}", prefix, index);
@@ -61,9 +77,7 @@ std::string emit(const std::shared_ptr<const Snippet>& snippet, const std::strin
 GeneratedShaders generateShaders(const std::vector<std::shared_ptr<const Snippet>>& fields,
                                  const std::vector<std::shared_ptr<const Snippet>>& materials) {
     GeneratedShaders out;
-    const std::string guard = fmt::format(kGuard, kLoopBudget);
-
-    std::string text = "#ifndef SNIPPET_GUARD\n#define SNIPPET_GUARD\n" + guard + "#endif\n";
+    std::string text = preamble(fields);
     std::string bind, call;
     for (size_t i = 0; i < fields.size(); ++i) {
         const std::string tag = fmt::format("f{}", i);
@@ -79,7 +93,7 @@ GeneratedShaders generateShaders(const std::vector<std::shared_ptr<const Snippet
             "    return vec2(1.0e9, 0.0);\n}\n";
     out.includes["generated/field.glsl"] = text;
 
-    text = "#ifndef SNIPPET_GUARD\n#define SNIPPET_GUARD\n" + guard + "#endif\n";
+    text = preamble(materials);
     call.clear();
     for (size_t i = 0; i < materials.size(); ++i) {
         const std::string tag = fmt::format("m{}", i);

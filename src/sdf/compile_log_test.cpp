@@ -67,7 +67,7 @@ TEST(CompileLog, MapsLines) {
 TEST(CompileLog, ExplainsInTheUsersTerms) {
     const Snippet first = good("float sdf(vec3 p) { return 0.0; }");
     const Snippet second = good(
-        "uniform float r; // slider[0,1,2]\nfloat _f(vec3 p) {\n    return   r + oops(p); }\n"
+        "uniform float r; // slider[0,1,2]\nfloat _f(vec3 p) {\n    return   r + p.oops; }\n"
         "float sdf(vec3 p) { return _f(p.xy); }");
     EmitOptions a = shortOptions(), b = shortOptions();
     a.prefix = "s0_";
@@ -80,8 +80,7 @@ TEST(CompileLog, ExplainsInTheUsersTerms) {
         const auto found = messages.empty() ? std::nullopt : explainMessage(messages[0], parts);
         return found ? found->text() : "nothing";
     };
-    EXPECT_EQ(explain("0:200003(13): error: no function with name 'oops'"),
-              "t:3:18: error: no function with name 'oops'")
+    EXPECT_EQ(explain("0:200003(17): error: no field 'oops'"), "t:3:19: error: no field 'oops'")
         << "Mesa gives the column in the emitted line";
     EXPECT_EQ(explain("0:200004(34): error: no matching function for call to `s1_0_f(vec2)'; "
                       "candidates are:"),

@@ -3,11 +3,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "sdf/library.hpp"
 #include "sdf/test_samples.hpp"
 #include "sdf/test_support.hpp"
 
@@ -38,7 +40,6 @@ uniform vec4 clock, size;
 int loopsLeft = 1000;
 bool loopGuard() { return loopsLeft-- > 0; }
 struct Surface { vec3 position; vec3 color; float roughness; };
-float smin(float a, float b, float k) { return min(a, b) - k; }
 )";
 
 std::string callOf(const Snippet& snippet, const std::string& prefix) {
@@ -110,9 +111,27 @@ TEST(Dialect, FragmentEs300) {
               "");
 }
 
+TEST(Dialect, TheWholeLibrary) {
+    if (missing()) GTEST_SKIP() << "glslangValidator is not installed";
+    std::set<std::string> names;
+    for (const LibraryFunction& f : sdfLibrary().functions()) names.insert(f.name);
+    const std::string text = kPrelude + sdfLibrary().emit(names, "loopGuard()") +
+                             "void main() { vec4 result = vec4(sdSphere(clock.xyz, 1.0)); ";
+    EXPECT_EQ(validated("#version 300 es\nprecision highp float;\nprecision highp int;\n"
+                        "out vec4 color;\n" +
+                            text + "color = result; }\n",
+                        "frag"),
+              "");
+    EXPECT_EQ(validated("#version 450\nlayout(local_size_x = 8) in;\n"
+                        "layout(std430, binding = 0) buffer Out { vec4 o[]; };\n" +
+                            text + "o[0] = result; }\n",
+                        "comp"),
+              "");
+}
+
 TEST(Dialect, ErrorsNameTheUsersLine) {
     if (missing()) GTEST_SKIP() << "glslangValidator is not installed";
-    const Snippet snippet = good("// one\nfloat sdf(vec3 p) {\n\n    return oops;\n}\n");
+    const Snippet snippet = good("// one\nfloat sdf(vec3 p) {\n\n    return p.oops;\n}\n");
     const std::string log = validated("#version 450\n" + emitSnippet(snippet, options(4)) +
                                           "void main() { s4_sdf(vec3(0.0)); }\n",
                                       "frag");

@@ -26,7 +26,7 @@ Hit shape(vec3 p, inout float acc) {
 
 
 
-float sdf(vec3 p) { float a; return shape(p, a).d + smin(a, r, 0.1); }
+float sdf(vec3 p) { float a; return shape(p, a).d + opSmoothUnion(a, r, 0.1); }
 )"),
               R"(#line 1006
 struct X_Hit { float d; float r; };
@@ -39,7 +39,7 @@ X_acc += (( X_h.r )*( X_h.r )) * sin(T);
 return X_h;
 }
 #line 1019
-float X_sdf(vec3 X_p) { float X_a; return X_shape(X_p, X_a).d + smin(X_a, P0, 0.1); }
+float X_sdf(vec3 X_p) { float X_a; return X_shape(X_p, X_a).d + opSmoothUnion(X_a, P0, 0.1); }
 )");
 }
 
@@ -68,8 +68,8 @@ TEST(Emit, Loops) {
     EXPECT_EQ(emittedBody("do p *= 2.; while(true);"), "do X_p *= 2.; while(G() && (true));");
     EXPECT_EQ(emittedBody("do while(true) {} while(false);"),
               "do while(G() && (true)) {} while(G() && (false));");
-    EXPECT_EQ(emittedBody("while (bool b = p.x < 1.) { b; } b;"),
-              "while (bool X_b = G() && (X_p.x < 1.)) { X_b; } b;");
+    EXPECT_EQ(emittedBody("while (bool b = p.x < 1.) { b; } r;"),
+              "while (bool X_b = G() && (X_p.x < 1.)) { X_b; } P0;");
     EXPECT_EQ(emittedBody("for (int i; bool b = true; i++) b;"),
               "for (int X_i; bool X_b = G() && (true); X_i++) X_b;");
     EXPECT_EQ(
@@ -112,7 +112,7 @@ TEST(Emit, ShadowedNames) {
         {"{ struct r { float x; }; r q; } r;", "{ struct X_r { float x; }; X_r X_q; } P0;"},
         {"switch (int(r)) { case 0: float r; r; default: r; } r;",
          "switch (int(P0)) { case 0: float X_r; X_r; default: X_r; } P0;"},
-        {"p[int(r)]; f(r)[int(r)].r;", "X_p[int(P0)]; f(P0)[int(P0)].r;"},
+        {"p[int(r)]; abs(r)[int(r)].r;", "X_p[int(P0)]; abs(P0)[int(P0)].r;"},
         {"float time; time; { iTime; }", "float X_time; X_time; { T; }"},
         {"int sdf = 3; sdf;", "int X_sdf = 3; X_sdf;"},
         {"r > 0. ? r : r;", "P0 > 0. ? P0 : P0;"},
@@ -153,19 +153,21 @@ TEST(Emit, BuiltInsOfScreens) {
                       SnippetKind::kScreen),
               "#line 1002\nvoid X_mainImage(out vec4 X_c, in vec2 X_p) {\n"
               "X_c = vec4(X_p / R.xy, R.z, frame); }\n");
-    EXPECT_EQ(emittedBody("iResolution;"), "iResolution;") << "a field has none";
+    EXPECT_EQ(problemsOf("float sdf(vec3 p) { return iResolution.x; }"),
+              "1:28: error: 'iResolution' is not declared")
+        << "a field has none";
 }
 
 TEST(Emit, ColumnsLeadBack) {
     const Snippet snippet = good(
         "uniform float radius; // slider[0,1,2]\n"
-        "float sdf(vec3 p)   { return   radius + undeclared; }");
+        "float sdf(vec3 p)   { return   radius + p.undeclared; }");
     const std::string text = emitSnippet(snippet, shortOptions());
-    EXPECT_EQ(text, "#line 1002\nfloat X_sdf(vec3 X_p) { return P0 + undeclared; }\n");
+    EXPECT_EQ(text, "#line 1002\nfloat X_sdf(vec3 X_p) { return P0 + X_p.undeclared; }\n");
     EXPECT_EQ(originalColumn(snippet, shortOptions(), 2, 1), 1);
     EXPECT_EQ(originalColumn(snippet, shortOptions(), 2, 32), 32) << "radius";
-    EXPECT_EQ(originalColumn(snippet, shortOptions(), 2, 37), 41) << "undeclared";
-    EXPECT_EQ(originalColumn(snippet, shortOptions(), 2, 40), 41) << "within it";
+    EXPECT_EQ(originalColumn(snippet, shortOptions(), 2, 41), 43) << "undeclared";
+    EXPECT_EQ(originalColumn(snippet, shortOptions(), 2, 44), 43) << "within it";
     EXPECT_EQ(originalColumn(snippet, shortOptions(), 1, 1), 0) << "nothing was emitted there";
 }
 

@@ -107,6 +107,14 @@ const Builtin* findBuiltin(SnippetKind kind, std::string_view name) {
     return nullptr;
 }
 
+std::vector<std::string> builtinNames(SnippetKind kind) {
+    std::vector<std::string> names;
+    for (const Builtin& builtin : kTimes) names.emplace_back(builtin.name);
+    if (kind == SnippetKind::kScreen)
+        for (const Builtin& builtin : kScreenBuiltins) names.emplace_back(builtin.name);
+    return names;
+}
+
 void chooseEntry(std::span<const Function> functions, Snippet& snippet, Problems& problems) {
     const Kind& kind = row(snippet.kind);
     const auto known = [](const std::vector<std::string>& names, const std::string& name) {

@@ -2,6 +2,7 @@
 // What the kinds of snippets differ in: one row of a table each. A new kind is a new row.
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,10 @@ struct Function {
         Place place;
     };
     std::vector<Call> calls;
+    /// Functions of the library that it calls, each once.
+    std::set<std::string> libraryCalls;
+    /// Its definition in Snippet::pieces: [firstPiece, lastPiece).
+    size_t firstPiece = 0, lastPiece = 0;
 };
 
 /// A variable that the renderer provides.
@@ -45,6 +50,9 @@ struct Builtin {
 
 /// Null if `name` is not built in for this kind.
 const Builtin* findBuiltin(SnippetKind kind, std::string_view name);
+
+/// Of all that findBuiltin finds.
+std::vector<std::string> builtinNames(SnippetKind kind);
 
 /// Finds the function to be called and writes it into `snippet`; reports if there is none.
 void chooseEntry(std::span<const Function> functions, Snippet& snippet, Problems& problems);

@@ -16,8 +16,13 @@ namespace vitrine::glsl {
 using Role = SnippetPiece::Role;
 
 Parser::Parser(const Tokens& tokens, const std::vector<size_t>& partner, UniformNotes& notes,
-               Snippet& snippet, Problems& problems)
-    : tokens_(tokens), partner_(partner), notes_(notes), snippet_(snippet), problems_(problems) {}
+               const Library& library, Snippet& snippet, Problems& problems)
+    : tokens_(tokens),
+      partner_(partner),
+      notes_(notes),
+      library_(library),
+      snippet_(snippet),
+      problems_(problems) {}
 
 void Parser::run() {
     checkWords();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sdf/kinds.hpp"
+#include "sdf/library.hpp"
 #include "sdf/problems.hpp"
 #include "sdf/scope.hpp"
 #include "sdf/snippet.hpp"
@@ -24,7 +25,7 @@ class Parser {
   public:
     /// `partner` as from matchBrackets. Fills the parameters and pieces of `snippet`.
     Parser(const Tokens& tokens, const std::vector<size_t>& partner, UniformNotes& notes,
-           Snippet& snippet, Problems& problems);
+           const Library& library, Snippet& snippet, Problems& problems);
 
     void run();
     [[nodiscard]] const std::vector<Function>& functions() const { return functions_; }
@@ -62,7 +63,7 @@ class Parser {
     void parameter(const Token& typeName, const Token& name, Place end);
     void skipDeclaration();
     void globalDeclaration();
-    void function(const Type& returnType);
+    void function(const Type& returnType, size_t firstPiece);
     std::vector<Argument> arguments(size_t close);
     size_t declareFunction(const Token& name, const Type& returnType, std::vector<Argument> list);
 
@@ -79,12 +80,19 @@ class Parser {
     void guardedCondition(size_t close);
     void caseLabel(size_t end);
     void expression(size_t end);
+
+    // parser_name.cpp: what a word in an expression means
     void name();
-    void call(const Token& name);
+    void builtinVariable(const Token& word, const Builtin& builtin);
+    void call(const Token& name, const Symbol* symbol);
+    void foreignCall(const Token& name, size_t count);
+    [[nodiscard]] size_t countArguments(size_t open) const;
+    void reportUnknown(const Token& word, bool isCall);
 
     const Tokens& tokens_;
     const std::vector<size_t>& partner_;
     UniformNotes& notes_;
+    const Library& library_;
     Snippet& snippet_;
     Problems& problems_;
     size_t at_ = 0;

@@ -40,9 +40,11 @@ void Parser::globalDeclaration() {
                                          "constants and uniforms of its own");
         skipDeclaration();
     } else if (startsDeclaration(at_)) {
+        const size_t firstPiece = snippet_.pieces.size();
         const Type type = typeSpecifier();
         const bool named = token().isWord();
-        if (named && at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("(")) return function(type);
+        if (named && at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("("))
+            return function(type, firstPiece);
         const size_t stop = find(";", at_, tokens_.size() - 1);
         if (stop + 1 == tokens_.size()) {
             problems_.error(first.place, "no ';' ends this declaration");
@@ -178,7 +180,7 @@ void Parser::parameter(const Token& typeName, const Token& name, Place end) {
     snippet_.parameters.push_back(std::move(parameter));
 }
 
-void Parser::function(const Type& returnType) {
+void Parser::function(const Type& returnType, size_t firstPiece) {
     const Token name = token();
     checkName(name);
     put(Role::kName, name, name.text);
@@ -200,6 +202,8 @@ void Parser::function(const Type& returnType) {
         copy();
         statements(end, 1);
         copy();
+        functions_[current_].firstPiece = firstPiece;
+        functions_[current_].lastPiece = snippet_.pieces.size();
     } else if (is(";")) {
         copy();
     } else {
@@ -253,10 +257,15 @@ size_t Parser::declareFunction(const Token& name, const Type& returnType,
     if (known && known->kind != Symbol::Kind::kFunction)
         problems_.error(name.place, "'" + name.text + "' is already declared on line " +
                                         std::to_string(known->place.line));
+    if (!known && snippet_.libraryFunctions.contains(name.text))
+        problems_.error(name.place, "'" + name.text +
+                                        "' was called above, where it still meant the function of "
+                                        "the library; declare it before its first call");
     scopes_.declareGlobal(name.text, {Symbol::Kind::kFunction, name.place, 0, 1, {}});
     for (size_t i = 0; i < functions_.size(); ++i)
         if (functions_[i].name == name.text && functions_[i].arguments == list) return i;
-    functions_.push_back({name.text, returnType.text, std::move(list), name.place, false, {}});
+    functions_.push_back(
+        {name.text, returnType.text, std::move(list), name.place, false, {}, {}, 0, 0});
     return functions_.size() - 1;
 }
 

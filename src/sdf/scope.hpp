@@ -44,6 +44,14 @@ class Scopes {
         return found == levels_.front().end() ? nullptr : &found->second;
     }
 
+    /// All names that can be used at this point.
+    [[nodiscard]] std::vector<std::string> names() const {
+        std::vector<std::string> result;
+        for (const auto& level : levels_)
+            for (const auto& [name, symbol] : level) result.push_back(name);
+        return result;
+    }
+
   private:
     std::vector<std::map<std::string, Symbol>> levels_;
 };

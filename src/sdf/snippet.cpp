@@ -7,6 +7,7 @@
 #include "sdf/brackets.hpp"
 #include "sdf/call_graph.hpp"
 #include "sdf/lexer.hpp"
+#include "sdf/library.hpp"
 #include "sdf/limits.hpp"
 #include "sdf/parser.hpp"
 #include "sdf/preprocessor.hpp"
@@ -39,7 +40,7 @@ void read(Snippet& snippet, glsl::Problems& problems) {
     glsl::UniformNotes notes(text, snippet, problems);
     const auto partner = glsl::matchBrackets(text.tokens, problems);
     if (!partner) return;
-    glsl::Parser parser(text.tokens, *partner, notes, snippet, problems);
+    glsl::Parser parser(text.tokens, *partner, notes, sdfLibrary(), snippet, problems);
     parser.run();
     glsl::checkCalls(parser.functions(), problems);
     glsl::chooseEntry(parser.functions(), snippet, problems);

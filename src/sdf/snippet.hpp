@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,6 +73,8 @@ struct Snippet {
     std::optional<float> lipschitz;
     std::vector<std::string> partNames;
     bool usesTime = false;
+    /// What it calls of the library (sdf/library.hpp).
+    std::set<std::string> libraryFunctions;
     std::string source;
     std::vector<SnippetPiece> pieces;
 };

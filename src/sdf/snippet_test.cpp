@@ -139,7 +139,7 @@ TEST(Snippet, MistakesHaveAPlace) {
         {"float f(for x) { return 0.0; }\n" + kEntry, "1:9: error: expected a type, found 'for'"},
         {"float vec3() { return 0.0; }\n" + kEntry,
          "1:7: error: 'vec3' is a word of GLSL and cannot be a name"},
-        {"float x = 'a';\n" + kEntry, "1:11: error: GLSL has no '''\n1:13: error: GLSL has no '''"},
+        {"float x = '1';\n" + kEntry, "1:11: error: GLSL has no '''\n1:13: error: GLSL has no '''"},
         {std::string("float\0x;", 8) + kEntry, "1:6: error: a NUL byte: this is not a text file"},
         {"float x = 1 \xE2\x88\x92 2;\n" + kEntry,
          "1:13: error: '\xE2\x88\x92' is not ASCII, which GLSL allows only in comments"},

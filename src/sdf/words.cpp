@@ -46,7 +46,16 @@ constexpr Word kNoDerivatives =
 constexpr Word kNoDiscard = "a ray asks for a value, there is no pixel to discard";
 constexpr Word kNoTextures = "snippets have no textures";
 
-constexpr std::array<std::pair<Word, Word>, 14> kRefused = {{
+constexpr Word kNotInWebGl = "it does not exist in WebGL2, and a snippet has to run there too";
+
+constexpr std::array<std::pair<Word, Word>, 21> kRefused = {{
+    {"fma", kNotInWebGl},
+    {"ldexp", kNotInWebGl},
+    {"frexp", kNotInWebGl},
+    {"bitCount", kNotInWebGl},
+    {"findLSB", kNotInWebGl},
+    {"findMSB", kNotInWebGl},
+    {"bitfieldExtract", kNotInWebGl},
     {"dFdx", kNoDerivatives},
     {"dFdy", kNoDerivatives},
     {"fwidth", kNoDerivatives},
@@ -86,6 +95,86 @@ bool isReserved(Word word) {
     constexpr std::array<Word, 5> kStorage = {"uniform", "attribute", "varying", "layout", "flat"};
     return builtinTypeSize(word) > 0 || isQualifier(word) || isStatementWord(word) ||
            contains(kOthers, word) || contains(kStorage, word);
+}
+
+const std::vector<std::string>& builtinFunctions() {
+    static const std::vector<std::string> kFunctions = {"radians",
+                                                        "degrees",
+                                                        "sin",
+                                                        "cos",
+                                                        "tan",
+                                                        "asin",
+                                                        "acos",
+                                                        "atan",
+                                                        "sinh",
+                                                        "cosh",
+                                                        "tanh",
+                                                        "asinh",
+                                                        "acosh",
+                                                        "atanh",
+                                                        "pow",
+                                                        "exp",
+                                                        "log",
+                                                        "exp2",
+                                                        "log2",
+                                                        "sqrt",
+                                                        "inversesqrt",
+                                                        "abs",
+                                                        "sign",
+                                                        "floor",
+                                                        "trunc",
+                                                        "round",
+                                                        "roundEven",
+                                                        "ceil",
+                                                        "fract",
+                                                        "mod",
+                                                        "modf",
+                                                        "min",
+                                                        "max",
+                                                        "clamp",
+                                                        "mix",
+                                                        "step",
+                                                        "smoothstep",
+                                                        "isnan",
+                                                        "isinf",
+                                                        "floatBitsToInt",
+                                                        "floatBitsToUint",
+                                                        "intBitsToFloat",
+                                                        "uintBitsToFloat",
+                                                        "packSnorm2x16",
+                                                        "unpackSnorm2x16",
+                                                        "packUnorm2x16",
+                                                        "unpackUnorm2x16",
+                                                        "packHalf2x16",
+                                                        "unpackHalf2x16",
+                                                        "length",
+                                                        "distance",
+                                                        "dot",
+                                                        "cross",
+                                                        "normalize",
+                                                        "faceforward",
+                                                        "reflect",
+                                                        "refract",
+                                                        "matrixCompMult",
+                                                        "outerProduct",
+                                                        "transpose",
+                                                        "determinant",
+                                                        "inverse",
+                                                        "lessThan",
+                                                        "lessThanEqual",
+                                                        "greaterThan",
+                                                        "greaterThanEqual",
+                                                        "equal",
+                                                        "notEqual",
+                                                        "any",
+                                                        "all",
+                                                        "not"};
+    return kFunctions;
+}
+
+bool isBuiltinFunction(Word word) {
+    const auto& list = builtinFunctions();
+    return std::find(list.begin(), list.end(), word) != list.end();
 }
 
 std::string_view reasonAgainst(Word name) {

@@ -2,7 +2,9 @@
 // The words of GLSL that reading a snippet has to know, and what snippets may not use.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace vitrine::glsl {
 
@@ -16,6 +18,10 @@ bool isShaderInterface(std::string_view word);
 bool isStatementWord(std::string_view word);
 /// Any word that cannot be a name.
 bool isReserved(std::string_view word);
+
+/// A function that GLSL ES 3.00 and GLSL 4.10 share, textures and derivatives apart.
+bool isBuiltinFunction(std::string_view word);
+const std::vector<std::string>& builtinFunctions();
 
 /// Why a built-in name may not be used in a snippet, as a sentence; empty if it may.
 std::string_view reasonAgainst(std::string_view name);
