@@ -46,6 +46,8 @@ class TestScene {
     int addMesh(vitrine::Mesh mesh);
     int addMesh(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles);
     int addField(const std::string& snippet);
+    /// The field as it is after measuring.
+    int addField(std::shared_ptr<const Snippet> field);
     int addMaterial(const Material& material);
     /// The node becomes instance number nodes - 1 of the records. `material` -1: the default.
     Node& add(int shape, int material = -1);

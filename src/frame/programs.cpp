@@ -32,10 +32,11 @@ std::string describeOwnError(const ShaderError& error) {
 
 const std::vector<PassShader>& passShaders() {
     static const std::vector<PassShader> passes{
-        {"raster", false, true}, {"visibility", true},    {"visibility_fields", true},
-        {"light", true},         {"bounce", true},        {"accumulate", false},
-        {"display", false},      {"view", false},         {"check_snippet", false},
-        {"boxes", false, true},  {"query_closest", true}, {"query_any", true}};
+        {"raster", false, true}, {"visibility", true},   {"visibility_fields", true},
+        {"light", true},         {"bounce", true},       {"accumulate", false},
+        {"display", false},      {"view", false},        {"check_snippet", false},
+        {"boxes", false, true},  {"probe_field", false}, {"query_closest", true},
+        {"query_any", true}};
     return passes;
 }
 
