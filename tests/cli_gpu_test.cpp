@@ -238,6 +238,78 @@ TEST_F(CliGpu, MistakesInSnippetsAreAtTheUsersLine) {
     EXPECT_FALSE(exists("x.png"));
 }
 
+TEST_F(CliGpu, CheckMeasuresFields) {
+    write("steep.sdf.glsl", "float sdf(vec3 p) { return 3.0 * (length(p) - 0.5); }\n");
+    const Outcome text = run({"check", "steep.sdf.glsl", "-o", "slice.png"});
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_EQ(text.out.find("steep.sdf.glsl: warning: the field is no distance: its slope is 3"),
+              0u)
+        << text.out;
+    EXPECT_NE(text.out.find("; steps are divided by 3.1."), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("steep.sdf.glsl: field: bounds[-0.54, -0.54, -0.54,  0.54, 0.54, "
+                            "0.54] (found)"),
+              std::string::npos)
+        << text.out;
+
+    const Json list = Json::parse(run({"check", "steep.sdf.glsl", "--json", "-"}).out);
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(list[0]["severity"], "warning");
+    EXPECT_EQ(list[1]["severity"], "note");
+    const Json& field = list[1]["field"];
+    EXPECT_NEAR(field["slope"], 3, 0.03);
+    EXPECT_EQ(field["bounds_found"], true);
+    EXPECT_NEAR(field["steps_divided_by"], 3.1, 1e-5);
+    EXPECT_EQ(field["slope_place"]["at"].size(), 3u);
+    EXPECT_EQ(field["not_finite"], 0);
+    const std::string scene = run({"check", "s.toml"}).out;
+    EXPECT_EQ(scene.find("ball.sdf.glsl: field: bounds["), 0u) << scene;
+    EXPECT_EQ(run({"render", "steep.sdf.glsl", "-o", "x.png", "-r", "64x40"}).err, "");
+    EXPECT_EQ(run({"check", "s.toml", "-o", "slice.png"}).code, 2);
+    EXPECT_EQ(run({"check", "steep.sdf.glsl", "-o", "slice.jpg"}).code, 2);
+}
+
+// The ball of slope 3 has a radius of 0.5 in bounds of 1.08: on the paper its rim is where its
+// formula says, and all that is outside of it is hatched.
+TEST_F(CliGpu, ASliceShowsTheField) {
+    write(
+        "steep.sdf.glsl",
+        "// bounds[-1, -1, -1,  1, 1, 1]\nfloat sdf(vec3 p) { return 3.0 * (length(p) - 0.5); }\n");
+    EXPECT_EQ(run({"check", "steep.sdf.glsl", "-o", "slice.png"}).code, 0);
+    const ImageRgba8 image = picture("slice.png");
+    EXPECT_EQ(image.width, 900);
+    EXPECT_GT(image.height, 950) << "with a legend";
+    write("true.sdf.glsl",
+          "// bounds[-1, -1, -1,  1, 1, 1]\nfloat sdf(vec3 p) { return length(p) - 0.5; }\n");
+    EXPECT_EQ(run({"check", "true.sdf.glsl", "-o", "slice.png"}).code, 0);
+    const ImageRgba8 clean = picture("slice.png");
+    const auto isInk = [](const ImageRgba8& i, int x, int y) {
+        const auto p = i.at(x, y);
+        return p[0] < 60 && p[1] < 60 && p[2] < 60;
+    };
+    const auto red = [](const ImageRgba8& i) {
+        int count = 0;
+        for (int y = 0; y < i.width; ++y)
+            for (int x = 0; x < i.width; ++x)
+                count += i.at(x, y)[0] > 190 && i.at(x, y)[1] < 100 ? 1 : 0;
+        return count;
+    };
+    // 2.48 units are 900 pixels; the middle plane shows the whole circle.
+    int rim = 0;
+    for (int degree = 0; degree < 360; ++degree) {
+        const double a = degree * 3.14159265 / 180, r = 0.5 / 2.48 * 900;
+        rim += isInk(clean, static_cast<int>(450 + r * std::cos(a)),
+                     static_cast<int>(450 - r * std::sin(a)))
+                   ? 1
+                   : 0;
+    }
+    EXPECT_EQ(rim, 360);
+    EXPECT_EQ(red(clean), 0);
+    EXPECT_GT(red(image), 40000);
+    // Inside is blue, outside is orange.
+    EXPECT_GT(clean.at(450, 450)[2], clean.at(450, 450)[0] + 20);
+    EXPECT_GT(clean.at(100, 100)[0], clean.at(100, 100)[2] + 20);
+}
+
 TEST_F(CliGpu, SceneAndSnippetMistakesComeTogether) {
     write("type.sdf.glsl", "// bounds[-1, -1, -1,  1, 1, 1]\nfloat sdf(vec3 p) { return p; }\n");
     write("s.toml", "[render]\nao = -1\n[shape.b]\nsdf = \"type.sdf.glsl\"\n");

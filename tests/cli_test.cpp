@@ -194,6 +194,15 @@ TEST_F(Cli, WithoutOpenGlItSaysWhatToInstall) {
     EXPECT_EQ(check.out.find("field.toml:4:9: error: no shape is named 'b'"), 0u) << check.out;
     EXPECT_NE(check.out.find("field.toml: warning: the snippets were not compiled: no usable"),
               std::string::npos);
+    EXPECT_NE(check.out.find("field.toml: warning: nor were the fields measured"),
+              std::string::npos);
+    write("f.sdf.glsl", "float sdf(vec3 p) { return length(p); }\n");
+    const Outcome unbound = run({"check", "f.sdf.glsl"}, none);
+    EXPECT_EQ(unbound.code, 1);
+    EXPECT_EQ(unbound.out.find("f.sdf.glsl: error: the field has no bounds, and they cannot be "
+                               "found without OpenGL; write them"),
+              0u)
+        << unbound.out;
 }
 
 TEST_F(Cli, FilesThatAreNoScenes) {

@@ -64,8 +64,12 @@ int TestScene::addField(const std::string& snippet) {
     Diagnostics diagnostics;
     auto field = parseSnippet(snippet, "test.sdf.glsl", SnippetKind::kField, diagnostics);
     diagnostics.throwIfErrors();
+    return addField(std::make_shared<const Snippet>(std::move(*field)));
+}
+
+int TestScene::addField(std::shared_ptr<const Snippet> field) {
     assets_.meshes.push_back(nullptr);
-    assets_.fields.push_back(std::make_shared<Snippet>(std::move(*field)));
+    assets_.fields.push_back(std::move(field));
     Shape shape;
     shape.name = "shape" + std::to_string(scene.shapes.size());
     shape.sdf.name = "test.sdf.glsl";

@@ -46,6 +46,8 @@ class TestScene {
     int addMesh(vitrine::Mesh mesh);
     int addMesh(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles);
     int addField(const std::string& snippet);
+    /// The field as it is after measuring.
+    int addField(std::shared_ptr<const Snippet> field);
     /// `snippet`: text of a .mat.glsl file, or nothing.
     int addMaterial(const Material& material, const std::string& snippet = "");
     /// The node becomes instance number nodes - 1 of the records. `material` -1: the default.

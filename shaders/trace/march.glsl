@@ -15,6 +15,8 @@ struct FieldHit {
     vec3 normal;  // object space, unit; zero where a shadow ray asked
 };
 
+const int kMostSteps = 4096;  // of one march: an eighth of what all loops of a pixel may take
+
 const int kMarching = 0;
 const int kProbing = 1;  // four evaluations around the hit
 const int kFinished = 2;
@@ -60,9 +62,11 @@ FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction,
     float side = 1.0;
 #endif
     vec3 gradient = vec3(0.0);
+    // A field that needs shorter steps gets more of them.
+    int mostSteps = min(int(float(frame.counts.y) / min(instance.stepScale, 1.0)), kMostSteps);
     // The last step may still be followed by its probes: a normal from fewer would be nonsense.
-    for (int i = 0; i < frame.counts.y + 4; i++) {
-        if (state == kFinished || (state == kMarching && i >= frame.counts.y) || !mayLoop()) break;
+    for (int i = 0; i < mostSteps + 4; i++) {
+        if (state == kFinished || (state == kMarching && i >= mostSteps) || !mayLoop()) break;
         COUNT(countedSteps);
         vec3 p = entry + way * direction;
         vec3 corner = tetrahedronCorner(probes);

@@ -35,8 +35,8 @@ const std::vector<PassShader>& passShaders() {
         {"raster", false, true}, {"visibility", true},     {"visibility_fields", true},
         {"light", true},         {"bounce", true},         {"accumulate", false},
         {"display", false},      {"view", false},          {"layers", false},
-        {"boxes", false, true},  {"check_snippet", false}, {"query_closest", true},
-        {"query_any", true}};
+        {"boxes", false, true},  {"check_snippet", false}, {"probe_field", false},
+        {"query_closest", true}, {"query_any", true}};
     return passes;
 }
 

@@ -22,6 +22,7 @@ constexpr const char* kInstallHint =
 class EglContext final : public Context {
   public:
     static std::unique_ptr<EglContext> create(EGLDisplay display) {
+        const Current before;
         if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return nullptr;
         if (!eglBindAPI(EGL_OPENGL_API)) return nullptr;
         const std::array<EGLint, 3> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -44,7 +45,7 @@ class EglContext final : public Context {
                 eglDestroyContext(display, context);
                 continue;
             }
-            auto result = std::unique_ptr<EglContext>(new EglContext(display, context));
+            auto result = std::unique_ptr<EglContext>(new EglContext(display, context, before));
             result->queryInfo();
             return result;
         }
@@ -52,16 +53,31 @@ class EglContext final : public Context {
     }
 
     ~EglContext() override {
-        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        // A later one may be in use; if not, the one before is again, if it still exists.
+        if (eglGetCurrentContext() == context_ && !before_.makeCurrent())
+            eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, context_);
     }
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
 
   private:
-    EglContext(EGLDisplay display, EGLContext context) : display_(display), context_(context) {}
+    /// What is current when this is made.
+    struct Current {
+        EGLDisplay display = eglGetCurrentDisplay();
+        EGLSurface draw = eglGetCurrentSurface(EGL_DRAW), read = eglGetCurrentSurface(EGL_READ);
+        EGLContext context = eglGetCurrentContext();
+
+        [[nodiscard]] bool makeCurrent() const {
+            return context != EGL_NO_CONTEXT && eglMakeCurrent(display, draw, read, context);
+        }
+    };
+
+    EglContext(EGLDisplay display, EGLContext context, const Current& before)
+        : display_(display), context_(context), before_(before) {}
     EGLDisplay display_;
     EGLContext context_;
+    Current before_;
 };
 
 bool hasExtension(const char* list, std::string_view name) {

@@ -22,8 +22,9 @@ struct GpuInfo {
 
 class Context {
   public:
-    /// Makes a context and makes it current on this thread. Throws MachineError, saying what to
-    /// install, if there is no usable OpenGL.
+    /// Makes a context and makes it current on this thread; when it goes, the one that was current
+    /// before is so again. Throws MachineError, saying what to install, if there is no usable
+    /// OpenGL.
     static std::unique_ptr<Context> createHeadless();
     virtual ~Context() = default;
     [[nodiscard]] const GpuInfo& info() const { return info_; }

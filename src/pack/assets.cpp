@@ -177,14 +177,7 @@ Assets loadAssets(const Scene& scene, Diagnostics& diagnostics) {
     AssetReader reader(scene, diagnostics);
     for (const Shape& shape : scene.shapes) {
         assets.meshes.push_back(shape.sdf.empty() ? reader.mesh(shape) : nullptr);
-        auto field = reader.snippet(shape.sdf, SnippetKind::kField, ".sdf.glsl");
-        if (field != nullptr && !field->bounds) {
-            diagnostics.error({field->file},
-                              "the field needs its bounds: add a line such as "
-                              "`// bounds[-1, -1, -1,  1, 1, 1]`");
-            field = nullptr;
-        }
-        assets.fields.push_back(std::move(field));
+        assets.fields.push_back(reader.snippet(shape.sdf, SnippetKind::kField, ".sdf.glsl"));
     }
     for (const Material& material : scene.materials) {
         assets.materials.push_back(

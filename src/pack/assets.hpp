@@ -45,7 +45,8 @@ struct Assets {
 /// The textures of a material in the order of VITRINE_SLOT_*.
 std::array<const MaterialTexture*, VITRINE_SLOT_COUNT> materialTextures(const Material& material);
 
-/// Reads everything the scene names. Files must lie in the scene's folder or below.
+/// Reads everything the scene names. Files must lie in the scene's folder or below. Fields may lack
+/// bounds, which packing needs (app/session/field_prober.hpp finds them).
 Assets loadAssets(const Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace vitrine

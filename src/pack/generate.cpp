@@ -16,6 +16,7 @@ constexpr int kLoopBudget = 1024;
 constexpr const char* kGuard =
     "#ifndef SNIPPET_GUARD\n"
     "#define SNIPPET_GUARD\n"
+    "float snippetTime = 0.0;\n"
     "int snippetLoops = 0;\n"
     "bool snippetLoop() {{\n"
     "    snippetLoops++;\n"
@@ -64,7 +65,7 @@ std::string emit(const std::shared_ptr<const Snippet>& snippet, const std::strin
     options.parameter = [values = tag + "v"](const Parameter&, int index) {
         return globalName(values, index);
     };
-    options.builtins["time"] = "frame.shading.x";
+    options.builtins["time"] = "snippetTime";
     options.loopGuard = "snippetLoop()";
     std::string text = bindFunction(*snippet, tag + "v", tag + "bind");
     text += emitSnippet(*snippet, options);
@@ -88,7 +89,8 @@ GeneratedShaders generateShaders(const std::vector<std::shared_ptr<const Snippet
         bind += fmt::format("    if (shape == {}) {}bind(base);\n", i, tag);
         call += fmt::format("    if (shape == {}) return {};\n", i, value);
     }
-    text += "void bindField(int shape, int base) {\n" + bind + "}\n";
+    text += "void bindField(int shape, int base) {\n    snippetTime = frame.shading.x;\n" + bind +
+            "}\n";
     text += "vec2 evaluateField(int shape, vec3 p) {\n    snippetLoops = 0;\n" + call +
             "    return vec2(1.0e9, 0.0);\n}\n";
     out.includes["generated/field.glsl"] = text;
@@ -103,7 +105,8 @@ GeneratedShaders generateShaders(const std::vector<std::shared_ptr<const Snippet
                         i + 1, tag, emittedName(tag + "_", materials[i]->entry));
     }
     text +=
-        "void evaluateMaterial(int number, inout Surface s, int base) {\n    snippetLoops = 0;\n" +
+        "void evaluateMaterial(int number, inout Surface s, int base) {\n    snippetTime = "
+        "frame.shading.x;\n    snippetLoops = 0;\n" +
         call + "}\n";
     out.includes["generated/material.glsl"] = text;
     return out;

@@ -208,6 +208,10 @@ class Packer {
                 scene_.shapes[static_cast<size_t>(shape)].sdf.empty())
                 diagnostics_.error(node.set[0].where, "only an SDF shape has parameters to set");
             if ((mesh == nullptr && field == nullptr) || !node.visible) continue;
+            if (field != nullptr && !field->box()) {
+                diagnostics_.error({field->file}, "the field's bounds are not known");
+                continue;
+            }
             if (!isUsable(world[i])) {
                 diagnostics_.error(
                     node.where,
@@ -274,7 +278,7 @@ class Packer {
     void addInstance(const Node& node, const glm::mat4& worldFromObject, size_t shape) {
         const auto& mesh = assets_.meshes[shape];
         const auto& field = assets_.fields[shape];
-        const Aabb box = mesh != nullptr ? mesh->bvh.box() : *field->bounds;
+        const Aabb box = mesh != nullptr ? mesh->bvh.box() : *field->box();
         float stepScale = 1, precision = 0;
         int firstTriangle = 0;
         glm::vec4 indices;
@@ -288,7 +292,7 @@ class Packer {
             const int parameters = addParameters(parameterValues(*field, node.set, diagnostics_));
             indices = texel(VITRINE_KIND_FIELD, number(geometry_.fieldSnippets, field),
                             packPartMaterials(node, partNamesOf(*field)), parameters);
-            stepScale = 1 / field->lipschitz.value_or(1.0f);
+            stepScale = 1 / field->stepDivisor();
             // What the float arithmetic of a field of this size cannot tell from zero.
             const glm::vec3 size = glm::max(glm::abs(box.min), glm::abs(box.max));
             precision = 4e-6f * std::max(size.x, std::max(size.y, size.z));

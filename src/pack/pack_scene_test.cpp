@@ -262,19 +262,35 @@ sdf = "nobounds.sdf.glsl"
 [material.m]
 snippet = "f.glsl"
 )");
-    EXPECT_EQ(
-        problems,
-        "t:2:8: error: 'missing.obj': cannot read: No such file or directory\n"
-        "t:4:8: error: '../two.obj': the path leads out of the scene's folder\n"
-        "t:6:8: error: '/etc/hostname.obj': the path is absolute; write it relative to the "
-        "scene's folder\n"
-        "t:8:8: error: a mesh is an .obj file\n"
-        "t:10:7: error: the file's name must end in .sdf.glsl\n"
-        "t:12:8: error: 'dir.obj': not a regular file\n"
-        "bad.obj:2:5: error: vertex 2 does not exist: there is 1 so far\n"
-        "nobounds.sdf.glsl: error: the field needs its bounds: add a line such as `// bounds[-1, "
-        "-1, -1,  1, 1, 1]`\n"
-        "t:18:11: error: the file's name must end in .mat.glsl");
+    EXPECT_EQ(problems,
+              "t:2:8: error: 'missing.obj': cannot read: No such file or directory\n"
+              "t:4:8: error: '../two.obj': the path leads out of the scene's folder\n"
+              "t:6:8: error: '/etc/hostname.obj': the path is absolute; write it relative to the "
+              "scene's folder\n"
+              "t:8:8: error: a mesh is an .obj file\n"
+              "t:10:7: error: the file's name must end in .sdf.glsl\n"
+              "t:12:8: error: 'dir.obj': not a regular file\n"
+              "bad.obj:2:5: error: vertex 2 does not exist: there is 1 so far\n"
+              "t:18:11: error: the file's name must end in .mat.glsl");
+}
+
+TEST_F(PackScene, AFieldWithoutBoundsIsNoInstance) {
+    write("nobounds.sdf.glsl", "float sdf(vec3 p) { return length(p); }\n");
+    const PackedScene p = pack("[shape.e]\nsdf = \"nobounds.sdf.glsl\"\n[[node]]\nshape = \"e\"\n");
+    EXPECT_EQ(problems, "nobounds.sdf.glsl: error: the field's bounds are not known");
+    EXPECT_TRUE(p.instances.empty());
+}
+
+TEST_F(PackScene, WhatTheUserWroteWins) {
+    Snippet field;
+    field.foundBounds = Aabb{glm::vec3(-2), glm::vec3(2)};
+    field.measuredLipschitz = 3;
+    EXPECT_EQ(field.box()->max.x, 2);
+    EXPECT_EQ(field.stepDivisor(), 3);
+    field.bounds = Aabb{glm::vec3(-1), glm::vec3(1)};
+    field.lipschitz = 0.5f;
+    EXPECT_EQ(field.box()->max.x, 1);
+    EXPECT_EQ(field.stepDivisor(), 0.5f);
 }
 
 size_t countOf(const std::string& text, const std::string& what) {

@@ -71,12 +71,22 @@ struct Snippet {
     std::optional<Aabb> bounds;
     /// Largest slope of the field, as promised by the user.
     std::optional<float> lipschitz;
+    /// What sampling has found where the user wrote nothing (field_report.hpp).
+    std::optional<Aabb> foundBounds;
+    std::optional<float> measuredLipschitz;
     std::vector<std::string> partNames;
     bool usesTime = false;
     /// What it calls of the library (sdf/library.hpp).
     std::set<std::string> libraryFunctions;
     std::string source;
     std::vector<SnippetPiece> pieces;
+
+    /// The user's bounds, or those found. Nothing if there are neither.
+    [[nodiscard]] const std::optional<Aabb>& box() const { return bounds ? bounds : foundBounds; }
+    /// What steps are divided by: the user's word, what was measured, or 1.
+    [[nodiscard]] float stepDivisor() const {
+        return lipschitz.value_or(measuredLipschitz.value_or(1.0f));
+    }
 };
 
 /// Reads a snippet. Returns nothing if there are errors, which are added to `diagnostics` with

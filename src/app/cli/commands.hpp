@@ -24,6 +24,7 @@ int render(const RenderOptions& options);
 
 struct CheckOptions {
     std::string file, json;
+    std::string output;  ///< a picture of the file's field cut through
     std::vector<std::string> overrides;
 };
 /// Prints all that is wrong. 0: nothing; 1: errors.

@@ -18,11 +18,12 @@ using Json = nlohmann::ordered_json;
 Json describeSnippet(const Snippet& snippet) {
     Json json{{"file", snippet.file}, {"entry", snippet.entry}, {"uses_time", snippet.usesTime}};
     if (!snippet.partNames.empty()) json["parts"] = snippet.partNames;
-    if (snippet.bounds) {
-        const Aabb& b = *snippet.bounds;
+    if (snippet.box()) {
+        const Aabb& b = *snippet.box();
         json["bounds"] = {b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z};
     }
     if (snippet.lipschitz) json["lipschitz"] = *snippet.lipschitz;
+    if (snippet.kind == SnippetKind::kField) json["steps_divided_by"] = snippet.stepDivisor();
     json["parameters"] = Json::array();
     for (const Parameter& p : snippet.parameters) {
         const auto numbers = [&](const glm::vec4& v) {

@@ -71,6 +71,7 @@ void defineCheck(CLI::App& app, CheckOptions& o, std::function<int()>& chosen) {
     CLI::App* c = app.add_subcommand("check", "report all errors and warnings of a scene");
     c->add_option("FILE", o.file)->required();
     c->add_option("--json", o.json, "write them as JSON to this file, or - ");
+    c->add_option("-o,--output", o.output, "draw a field, cut through, into this picture");
     addOverrides(*c, o.overrides);
     c->callback([&] { chosen = [&] { return check(o); }; });
 }

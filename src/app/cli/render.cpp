@@ -91,8 +91,9 @@ int render(const RenderOptions& options) {
     if (!options.json.empty() && options.json != "-") checkWritable(options.json);
 
     Diagnostics diagnostics;
-    const LoadedScene loaded = loadAll(options.file, options.overrides, diagnostics);
-    if (diagnostics.hasErrors()) compileSnippets(loaded, diagnostics);
+    FieldProber prober;
+    const LoadedScene loaded = loadAll(options.file, options.overrides, prober, diagnostics);
+    if (diagnostics.hasErrors()) compileSnippets(loaded, prober, diagnostics);
     diagnostics.throwIfErrors();
     if (!diagnostics.list().empty()) fmt::print(stderr, "{}\n", diagnostics.text());
     (void)findCamera(loaded.scene, options.camera);

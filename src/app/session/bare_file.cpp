@@ -68,20 +68,19 @@ material = "floor"
 at = [0, {floorY}, 0]
 )";
 
-std::optional<Aabb> boundsOf(const std::filesystem::path& file, Diagnostics& diagnostics) {
+std::optional<Aabb> boundsOf(const std::filesystem::path& file, FieldProber& prober,
+                             Diagnostics& diagnostics) {
     const std::string name = file.string();
     if (endsWith(name, ".obj")) {
         const auto mesh = readObj(readFile(file, kMaxObjBytes), name, diagnostics);
         return mesh ? std::optional(bounds(*mesh)) : std::nullopt;
     }
-    const auto field =
+    auto field =
         parseSnippet(readFile(file, kMaxSnippetBytes), name, SnippetKind::kField, diagnostics);
     if (!field) return {};
-    if (!field->bounds)
-        diagnostics.error({name},
-                          "the field needs its bounds: add a line such as "
-                          "`// bounds[-1, -1, -1,  1, 1, 1]`");
-    return field->bounds;
+    const auto measured =
+        prober.measure(std::make_shared<const Snippet>(std::move(*field)), {}, diagnostics);
+    return measured ? measured->box() : std::nullopt;
 }
 
 }  // namespace
@@ -90,12 +89,12 @@ bool isBareFile(const std::filesystem::path& file) {
     return endsWith(file.string(), ".obj") || endsWith(file.string(), ".sdf.glsl");
 }
 
-std::optional<std::string> sceneAround(const std::filesystem::path& file,
+std::optional<std::string> sceneAround(const std::filesystem::path& file, FieldProber& prober,
                                        Diagnostics& diagnostics) {
     const std::string name = file.filename().string();
     if (name.find_first_of("'\n\r") != std::string::npos)
         throw InputError({file.string()}, "the file's name has a quote or a line end in it");
-    const std::optional<Aabb> box = boundsOf(file, diagnostics);
+    const std::optional<Aabb> box = boundsOf(file, prober, diagnostics);
     if (!box) return {};
     // Half of a nanometre or a million kilometres still make a picture.
     const float scale = 1 / std::clamp(0.5f * glm::length(box->extent()), 2e-9f, 1e18f);

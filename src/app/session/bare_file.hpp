@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/session/field_prober.hpp"
 #include "base/error.hpp"
 
 namespace vitrine {
@@ -14,7 +15,8 @@ namespace vitrine {
 bool isBareFile(const std::filesystem::path& file);
 
 /// The text of a scene in the file's folder that shows it on a plinth in good light. Nothing, with
-/// diagnostics, if the file cannot be read.
-std::optional<std::string> sceneAround(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// diagnostics, if the file cannot be read. `prober` finds the bounds of a field that has none.
+std::optional<std::string> sceneAround(const std::filesystem::path& file, FieldProber& prober,
+                                       Diagnostics& diagnostics);
 
 }  // namespace vitrine

@@ -14,10 +14,10 @@
 namespace vitrine {
 
 LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                    Diagnostics& diagnostics) {
+                    FieldProber& prober, Diagnostics& diagnostics) {
     LoadedScene loaded;
     if (isBareFile(file)) {
-        const auto text = sceneAround(file, diagnostics);
+        const auto text = sceneAround(file, prober, diagnostics);
         if (!text) return loaded;
         loaded.scene = parseScene(*text, file.string(), overrides, diagnostics);
     } else if (endsWith(file.string(), ".toml")) {
@@ -27,22 +27,32 @@ LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::st
                          "not a scene (.toml), a model (.obj) or a field (.sdf.glsl)");
     }
     loaded.assets = loadAssets(loaded.scene, diagnostics);
+    prober.measure(loaded.scene, loaded.assets, diagnostics);
     loaded.packed = packScene(loaded.scene, loaded.assets, diagnostics);
     return loaded;
 }
 
-void compileSnippets(const LoadedScene& loaded, Diagnostics& diagnostics) {
+LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                    Diagnostics& diagnostics) {
+    FieldProber prober;
+    return loadAll(file, overrides, prober, diagnostics);
+}
+
+void compileSnippets(const LoadedScene& loaded, FieldProber& prober, Diagnostics& diagnostics) {
     const auto there = [](const auto& list) {
         return std::any_of(list.begin(), list.end(), [](const auto& s) { return s != nullptr; });
     };
     if (!there(loaded.assets.fields) && !there(loaded.assets.materials)) return;
-    try {
-        diagnostics.append(checkSnippets(*Context::createHeadless(), loaded.assets));
-    } catch (const MachineError& error) {
-        if (!diagnostics.hasErrors()) throw;
-        diagnostics.warning({loaded.scene.file},
-                            fmt::format("the snippets were not compiled: {}", error.what()));
+    if (const Context* context = prober.context()) {
+        diagnostics.append(checkSnippets(*context, loaded.assets));
+        return;
     }
+    if (!diagnostics.hasErrors()) throw MachineError(prober.excuse());
+    diagnostics.warning({loaded.scene.file},
+                        fmt::format("the snippets were not compiled: {}", prober.excuse()));
+    if (there(loaded.assets.fields))
+        diagnostics.warning({loaded.scene.file},
+                            "nor were the fields measured: their steps may be too long");
 }
 
 const Camera& findCamera(const Scene& scene, const std::string& name) {

@@ -10,13 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "app/session/field_prober.hpp"
 #include "frame/frame.hpp"
 #include "gpu/context.hpp"
 #include "pack/pack_scene.hpp"
 
 namespace vitrine {
 
-/// A scene with everything it needs, read and packed. GL has not been touched.
+/// A scene with everything it needs, read and packed.
 struct LoadedScene {
     Scene scene;
     Assets assets;
@@ -24,13 +25,17 @@ struct LoadedScene {
 };
 
 /// Reads a scene file, or a bare model or field. All that is wrong goes to `diagnostics`. Throws
-/// InputError if the file itself cannot be read.
+/// InputError if the file itself cannot be read. Fields are measured by `prober`, which may be kept
+/// for the next load.
+LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                    FieldProber& prober, Diagnostics& diagnostics);
+/// With a prober of its own, that measures what is needed.
 LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                     Diagnostics& diagnostics);
 
 /// Adds what the GLSL compiler has to say about each snippet. Throws MachineError without OpenGL,
 /// unless the scene has errors already, which are worth more.
-void compileSnippets(const LoadedScene& loaded, Diagnostics& diagnostics);
+void compileSnippets(const LoadedScene& loaded, FieldProber& prober, Diagnostics& diagnostics);
 
 /// The camera of this name, or the first one for "". Throws UsageError if there is none such.
 const Camera& findCamera(const Scene& scene, const std::string& name);
