@@ -90,7 +90,9 @@ TEST_F(ShaderDialects, AllVariantsAreAccepted) {
             if (!entryExists(pass.name, target.stage)) continue;
             for (const ProgramFeatures& features :
                  {ProgramFeatures{true, true, false}, ProgramFeatures{true, true, true},
-                  ProgramFeatures{true, false, false}, ProgramFeatures{false, true, false}}) {
+                  ProgramFeatures{true, false, false}, ProgramFeatures{false, true, false},
+                  ProgramFeatures{true, true, false, true},
+                  ProgramFeatures{true, true, false, true, true, true}}) {
                 if (!pass.traces && (!features.meshes || !features.fields || features.counters))
                     continue;
                 const ShaderKey key = shaderKey(pass.name, features, target.stage, target.dialect);

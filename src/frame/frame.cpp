@@ -13,7 +13,8 @@ namespace vitrine {
 Frame::Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters)
     : context_(context.info(),
                ProgramSet(context.info(), backend, scene.shaders,
-                          {scene.hasMeshes, scene.hasFields, counters, scene.textures.any()}),
+                          {scene.hasMeshes, scene.hasFields, counters, scene.textures.any(),
+                           scene.hasVertexExtras, scene.hasTangents}),
                counters),
       rasterPossible_(context.info().clipControl),
       maxSide_(context.info().maxTextureSize) {

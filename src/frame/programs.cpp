@@ -53,6 +53,8 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
     const bool traces = findPass(pass).traces;
     key.defines["COUNTERS"] = traces && features.counters ? 1 : 0;
     key.defines["HAS_TEXTURES"] = features.textures ? 1 : 0;
+    key.defines["HAS_VERTEX_EXTRAS"] = features.vertexExtras ? 1 : 0;
+    key.defines["HAS_TANGENTS"] = features.textures && features.tangents ? 1 : 0;
     if (traces) {
         const bool meshes = features.meshes && pass != "visibility_fields";
         key.defines["HAS_MESHES"] = meshes ? 1 : 0;

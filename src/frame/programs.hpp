@@ -21,6 +21,8 @@ struct ProgramFeatures {
     bool fields = true;
     bool counters = false;
     bool textures = false;
+    bool vertexExtras = false;  ///< second texture coordinates or colours of vertices
+    bool tangents = false;
 };
 
 /// A pass's shader under the features that concern it, for any stage and dialect.

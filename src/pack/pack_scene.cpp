@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 #include "base/text.hpp"
 #include "bvh/build.hpp"
@@ -13,13 +14,6 @@
 
 namespace vitrine {
 namespace {
-
-template <class T>
-int indexByName(const std::vector<T>& objects, const std::string& name) {
-    for (size_t i = 0; i < objects.size(); ++i)
-        if (objects[i].name == name) return static_cast<int>(i);
-    return -1;
-}
 
 std::array<glm::vec4, 3> rowsOf(const glm::mat4& m) {
     const glm::mat4 t = glm::transpose(m);
@@ -47,7 +41,11 @@ glm::vec4 texel(int x, int y = 0, int z = 0, int w = 0) {
 class Packer {
   public:
     Packer(const Scene& scene, const Assets& assets, Diagnostics& diagnostics)
-        : scene_(scene), assets_(assets), diagnostics_(diagnostics) {}
+        : scene_(scene), assets_(assets), diagnostics_(diagnostics) {
+        for (size_t i = 0; i < scene.shapes.size(); ++i) shapes_.emplace(scene.shapes[i].name, i);
+        for (size_t i = 0; i < scene.materials.size(); ++i)
+            materialNumbers_.emplace(scene.materials[i].name, static_cast<int>(i));
+    }
 
     PackedScene pack() {
         collectSnippets();
@@ -64,7 +62,12 @@ class Packer {
     struct PackedMesh {
         uint32_t root;
         int firstTriangle;
+        /// What a vertex's number is added to for its texel in that list; 0: none.
+        int extras = 0, tangents = 0;
     };
+
+    /// Indices travel as floats, which are exact up to here.
+    static constexpr size_t kLargestIndex = 1u << 24;
 
     void collectSnippets() {
         for (const auto& field : assets_.fields)
@@ -153,7 +156,7 @@ class Packer {
     const PackedMesh& packMesh(const std::shared_ptr<const MeshAsset>& asset) {
         const auto known = meshes_.find(asset.get());
         if (known != meshes_.end()) return known->second;
-        const Mesh& mesh = asset->mesh;
+        const Mesh& mesh = *asset->mesh;
         const auto firstVertex =
             static_cast<uint32_t>(out_.vertices.size() / VITRINE_VERTEX_TEXELS);
         const auto firstTriangle = static_cast<int>(out_.triangles.size());
@@ -164,15 +167,65 @@ class Packer {
         for (size_t i = 0; i < mesh.triangles.size(); ++i)
             out_.triangles.emplace_back(mesh.triangles[i] + firstVertex, mesh.triangleParts[i]);
         const uint32_t root = layout_.addMesh(asset->bvh, mesh.positions, mesh.triangles);
-        return meshes_[asset.get()] = {root, firstTriangle};
+        return meshes_[asset.get()] = {root, firstTriangle, packExtras(mesh, firstVertex),
+                                       packTangents(mesh, firstVertex)};
+    }
+
+    /// Where a list of one texel a vertex, about to be appended, would begin for vertex 0.
+    int beginList(uint32_t firstVertex) {
+        const size_t texel = out_.vertices.size() - firstVertex;
+        if (texel > kLargestIndex)
+            diagnostics_.error({scene_.file},
+                               "the scene is too large: more than 5 million vertices with colours, "
+                               "second coordinates or tangents");
+        return static_cast<int>(std::min(texel, kLargestIndex));
+    }
+    /// The vertices of the next mesh begin at a multiple of their texels.
+    void endList() {
+        while (out_.vertices.size() % VITRINE_VERTEX_TEXELS != 0) out_.vertices.emplace_back(0.0f);
+    }
+
+    /// Second texture coordinates, and the colour as two numbers of 12 bits in each of two floats.
+    int packExtras(const Mesh& mesh, uint32_t firstVertex) {
+        if (mesh.uvs2.empty() && mesh.colors.empty()) return 0;
+        const int list = beginList(firstVertex);
+        const auto joined = [](float a, float b) {
+            const auto steps = [](float x) { return std::round(std::clamp(x, 0.0f, 1.0f) * 4095); };
+            return steps(a) * 4096 + steps(b);
+        };
+        for (size_t i = 0; i < mesh.positions.size(); ++i) {
+            const glm::vec2 uv = mesh.uvs2.empty() ? glm::vec2(0) : mesh.uvs2[i];
+            const glm::vec4 c = mesh.colors.empty() ? glm::vec4(1) : mesh.colors[i];
+            out_.vertices.emplace_back(uv.x, uv.y, joined(c.x, c.y), joined(c.z, c.w));
+        }
+        endList();
+        out_.hasVertexExtras = true;
+        return list;
+    }
+
+    int packTangents(const Mesh& mesh, uint32_t firstVertex) {
+        if (mesh.tangents.empty()) return 0;
+        const int list = beginList(firstVertex);
+        out_.vertices.insert(out_.vertices.end(), mesh.tangents.begin(), mesh.tangents.end());
+        endList();
+        out_.hasTangents = true;
+        return list;
+    }
+
+    int materialByName(const std::string& name) const {
+        const auto found = materialNumbers_.find(name);
+        return found == materialNumbers_.end() ? -1 : found->second;
     }
 
     /// First texel, in the lists, of the materials of a node's parts.
-    int packPartMaterials(const Node& node, const std::vector<std::string>& partNames) {
+    int packPartMaterials(const Node& node, const Shape& shape,
+                          const std::vector<std::string>& partNames) {
         const int unnamed = static_cast<int>(out_.materialNames.size()) - 1;
-        const int whole =
-            node.material.empty() ? unnamed : indexByName(scene_.materials, node.material.name);
+        const int whole = node.material.empty() ? unnamed : materialByName(node.material.name);
         std::vector<int> chosen(partNames.size(), whole);
+        if (node.material.empty())
+            for (size_t i = 0; i < shape.partMaterials.size() && i < partNames.size(); ++i)
+                chosen[i] = materialByName(shape.partMaterials[i].second);
         for (size_t i = 0; i < node.parts.size(); ++i) {
             const auto& [part, material] = node.parts[i];
             const auto found = std::find(partNames.begin(), partNames.end(), part);
@@ -183,7 +236,7 @@ class Packer {
                                                fmt::join(partNames, "', '")));
             else
                 chosen[static_cast<size_t>(found - partNames.begin())] =
-                    indexByName(scene_.materials, material.name);
+                    materialByName(material.name);
         }
         const auto first = static_cast<int>(materialLists_.size());
         for (const int material : chosen)
@@ -204,12 +257,12 @@ class Packer {
         const std::vector<glm::mat4> world = worldFromNodes(scene_);
         for (size_t i = 0; i < scene_.nodes.size(); ++i) {
             const Node& node = scene_.nodes[i];
-            const int shape = indexByName(scene_.shapes, node.shape.name);
-            if (shape < 0) continue;
-            const auto& mesh = assets_.meshes[static_cast<size_t>(shape)];
-            const auto& field = assets_.fields[static_cast<size_t>(shape)];
-            if (field == nullptr && !node.set.empty() &&
-                scene_.shapes[static_cast<size_t>(shape)].sdf.empty())
+            const auto named = shapes_.find(node.shape.name);
+            if (named == shapes_.end()) continue;
+            const Shape& shape = scene_.shapes[named->second];
+            const auto& mesh = assets_.meshes[named->second];
+            const auto& field = assets_.fields[named->second];
+            if (field == nullptr && !node.set.empty() && shape.sdf.empty())
                 diagnostics_.error(node.set[0].where, "only an SDF shape has parameters to set");
             if ((mesh == nullptr && field == nullptr) || !node.visible) continue;
             if (!isUsable(world[i])) {
@@ -219,7 +272,7 @@ class Packer {
                                 node.name));
                 continue;
             }
-            addInstance(node, world[i], mesh, field);
+            addInstance(node, shape, world[i], mesh, field);
         }
         out_.block.counts.z = addUpperLevel(false);
         out_.fieldRoot = out_.hasMeshes ? addUpperLevel(true) : out_.block.counts.z;
@@ -248,42 +301,44 @@ class Packer {
         return static_cast<int>(layout_.addInstances(buildBvh(boxes, options), numbers));
     }
 
-    void addInstance(const Node& node, const glm::mat4& worldFromObject,
+    void addInstance(const Node& node, const Shape& shape, const glm::mat4& worldFromObject,
                      const std::shared_ptr<const MeshAsset>& mesh,
                      const std::shared_ptr<const Snippet>& field) {
         const Aabb box = mesh != nullptr ? mesh->bvh.box() : *field->bounds;
-        float stepScale = 1, precision = 0;
+        float perMeshOrField[2] = {0, 0};
         int firstTriangle = 0;
         glm::vec4 indices;
         if (mesh != nullptr) {
             const PackedMesh& packed = packMesh(mesh);
             firstTriangle = packed.firstTriangle;
             indices = texel(VITRINE_KIND_MESH, static_cast<int>(packed.root),
-                            packPartMaterials(node, mesh->mesh.partNames), firstTriangle);
+                            packPartMaterials(node, shape, mesh->mesh->partNames), firstTriangle);
+            perMeshOrField[0] = static_cast<float>(packed.extras);
+            perMeshOrField[1] = static_cast<float>(packed.tangents);
             out_.hasMeshes = true;
-            out_.triangleCount += mesh->mesh.triangles.size();
+            out_.triangleCount += mesh->mesh->triangles.size();
         } else {
             const int parameters = addParameters(parameterValues(*field, node.set, diagnostics_));
             indices = texel(VITRINE_KIND_FIELD, fieldNumber(field),
-                            packPartMaterials(node, partNamesOf(*field)), parameters);
-            stepScale = 1 / field->lipschitz.value_or(1.0f);
+                            packPartMaterials(node, shape, partNamesOf(*field)), parameters);
+            perMeshOrField[0] = 1 / field->lipschitz.value_or(1.0f);  // the scale of steps
             // What the float arithmetic of a field of this size cannot tell from zero.
             const glm::vec3 size = glm::max(glm::abs(box.min), glm::abs(box.max));
-            precision = 4e-6f * std::max(size.x, std::max(size.y, size.z));
+            perMeshOrField[1] = 4e-6f * std::max(size.x, std::max(size.y, size.z));
             out_.hasFields = true;
         }
         for (const glm::vec4& row : rowsOf(glm::inverse(worldFromObject)))
             instances_.push_back(row);
         for (const glm::vec4& row : rowsOf(worldFromObject)) instances_.push_back(row);
         instances_.push_back(indices);
-        instances_.emplace_back(box.min, stepScale);
-        instances_.emplace_back(box.max, precision);
+        instances_.emplace_back(box.min, perMeshOrField[0]);
+        instances_.emplace_back(box.max, perMeshOrField[1]);
 
         const Aabb worldBox = instanceBox(box, worldFromObject);
         out_.worldBox.grow(worldBox);
         out_.instances.push_back({node.name, worldFromObject, worldBox, field != nullptr,
                                   firstTriangle,
-                                  mesh != nullptr ? mesh->mesh.triangles.size() : 0});
+                                  mesh != nullptr ? mesh->mesh->triangles.size() : 0});
     }
 
     /// Joins the tables; material lists get addresses of the whole.
@@ -301,8 +356,6 @@ class Packer {
         out_.block.tables.y = append(materials_);
         out_.block.tables.z = append(lights_);
         out_.block.tables.w = append(parameters_);
-        // Indices travel as floats, which are exact up to here.
-        constexpr size_t kLargestIndex = 1u << 24;
         if (std::max({out_.slots.size() / VITRINE_SLOT_TEXELS, out_.triangles.size(),
                       out_.tables.size()}) > kLargestIndex)
             diagnostics_.error({scene_.file},
@@ -332,6 +385,8 @@ class Packer {
     PackedScene out_;
     BvhLayout layout_;
     std::vector<std::shared_ptr<const Snippet>> fields_, materialSnippets_;
+    std::unordered_map<std::string, size_t> shapes_;
+    std::unordered_map<std::string, int> materialNumbers_;
     std::map<const MeshAsset*, PackedMesh> meshes_;
     std::vector<glm::vec4> instances_, materials_, lights_, parameters_, materialLists_;
 };

@@ -31,6 +31,7 @@ struct PackedScene {
     /// Everything but the camera, the sample and the view.
     FrameBlock block{};
     bool hasMeshes = false, hasFields = false;
+    bool hasVertexExtras = false, hasTangents = false;  ///< some mesh has them
     PackedTextures textures;
 
     std::vector<PackedInstance> instances;

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/file.hpp"
+#include "scene/import_overrides.hpp"
 #include "scene/references.hpp"
 #include "scene/values.hpp"
 
@@ -223,10 +224,14 @@ class SceneParser {
         if (const toml::node* set = table.get("set"))
             readParameters(*set, "set", node.set, diagnostics_);
         if (const toml::node* parts = table.get("parts")) partMaterials(*parts, node);
-        for (const char* key : {"material", "parts", "set"})
-            if (const toml::node* unused = node.shape.empty() ? table.get(key) : nullptr)
+        for (const char* key : {"material", "parts", "set"}) {
+            const bool used = !node.shape.empty() || (!node.include.empty() && key[0] != 's');
+            if (const toml::node* unused = used ? nullptr : table.get(key))
                 diagnostics_.error(placeOf(*unused),
                                    fmt::format("{} has no effect: the node has no shape", key));
+        }
+        if (!node.shape.empty() && !node.include.empty())
+            diagnostics_.error(node.include.where, "give shape or include, not both");
         for (int axis = 0; axis < 3; ++axis)
             if (node.scale[axis] == 0) {
                 diagnostics_.error(placeOf(*table.get("scale")), "scale must not be zero");
@@ -263,8 +268,12 @@ Scene parseScene(std::string_view text, const std::string& file,
     scene.folder = std::filesystem::path(file).parent_path();
     std::optional<toml::table> document = parseDocument(text, file, diagnostics);
     if (!document) return scene;
-    for (const std::string& assignment : overrides)
-        applyOverride(*document, assignment, diagnostics);
+    for (const std::string& assignment : overrides) {
+        if (namesImported(*document, assignment))
+            scene.importOverrides.push_back(assignment);
+        else
+            applyOverride(*document, assignment, diagnostics);
+    }
     // The document gives its keys by the alphabet; people read errors from the top of the file.
     Diagnostics found;
     SceneParser(scene, found).parse(*document);

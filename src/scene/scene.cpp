@@ -7,12 +7,17 @@ namespace vitrine {
 namespace {
 
 glm::mat4 parentFromNode(const Node& node) {
-    const glm::vec3 r = glm::radians(node.rotate);
     glm::mat4 m = glm::translate(glm::mat4(1), node.at);
-    m = glm::rotate(m, r.z, {0, 0, 1});
-    m = glm::rotate(m, r.y, {0, 1, 0});
-    m = glm::rotate(m, r.x, {1, 0, 0});
-    return glm::scale(m, node.scale);
+    if (node.orientation) {
+        m = m * glm::mat4_cast(*node.orientation);
+    } else {
+        const glm::vec3 r = glm::radians(node.rotate);
+        m = glm::rotate(m, r.z, {0, 0, 1});
+        m = glm::rotate(m, r.y, {0, 1, 0});
+        m = glm::rotate(m, r.x, {1, 0, 0});
+    }
+    m = glm::scale(m, node.scale);
+    return node.matrix ? m * *node.matrix : m;
 }
 
 }  // namespace

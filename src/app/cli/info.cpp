@@ -14,9 +14,9 @@ using Json = nlohmann::ordered_json;
 Json describeMesh(const std::string& shape, const MeshAsset& asset) {
     const BvhStatistics s = measure(asset.bvh);
     return {{"shape", shape},
-            {"triangles", asset.mesh.triangles.size()},
-            {"vertices", asset.mesh.positions.size()},
-            {"parts", asset.mesh.partNames},
+            {"triangles", asset.mesh->triangles.size()},
+            {"vertices", asset.mesh->positions.size()},
+            {"parts", asset.mesh->partNames},
             {"sah_cost", s.sahCost},
             {"tree_nodes", s.nodes},
             {"tree_depth", s.depth},
@@ -49,6 +49,17 @@ Json describeSnippet(const Snippet& snippet) {
     return json;
 }
 
+Json describeTextures(const LoadedScene& loaded) {
+    std::set<const void*> pictures;
+    for (const auto& ofMaterial : loaded.assets.pictures)
+        for (const auto& picture : ofMaterial)
+            if (picture != nullptr) pictures.insert(picture.get());
+    size_t bytes = 0;
+    for (const TextureAtlas* atlas : {&loaded.packed.textures.color, &loaded.packed.textures.data})
+        for (const TexturePage& page : atlas->pages) bytes += page.texels.size();
+    return {{"pictures", pictures.size()}, {"bytes", bytes}};
+}
+
 Json describe(const LoadedScene& loaded) {
     Json json{{"scene", loaded.scene.file},
               {"title", loaded.scene.title},
@@ -59,6 +70,7 @@ Json describe(const LoadedScene& loaded) {
               {"stack_entries", loaded.packed.stackBound},
               {"tree_bytes", loaded.packed.slots.size() * sizeof(glm::uvec4)}};
     for (const Camera& camera : loaded.scene.cameras) json["cameras"].push_back(camera.name);
+    json["textures"] = describeTextures(loaded);
     json["meshes"] = Json::array();
     json["snippets"] = Json::array();
     std::set<const void*> seen;
@@ -78,6 +90,12 @@ void print(const Json& json) {
                json["scene"].get<std::string>(), json["triangles"].get<size_t>(),
                json["instances"].get<size_t>(), json["lights"].get<size_t>(),
                json["materials"].get<size_t>());
+    if (const auto pictures = json["textures"]["pictures"].get<size_t>(); pictures > 0)
+        fmt::print("{} pictures, {:.1f} MiB of textures\n", pictures,
+                   json["textures"]["bytes"].get<double>() / (1 << 20));
+    if (json["cameras"].size() > 1)
+        fmt::print("cameras: {}\n",
+                   fmt::join(json["cameras"].get<std::vector<std::string>>(), ", "));
     for (const Json& m : json["meshes"])
         fmt::print(
             "mesh {}: {} triangles, tree of {} nodes, depth {}, SAH cost {:.1f}, built in {:.1f} "

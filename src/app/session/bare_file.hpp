@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "import/model_library.hpp"
 
 namespace vitrine {
 
@@ -15,6 +16,10 @@ bool isBareFile(const std::filesystem::path& file);
 
 /// The text of a scene in the file's folder that shows it on a plinth in good light. Nothing, with
 /// diagnostics, if the file cannot be read.
-std::optional<std::string> sceneAround(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// A model in metres (.gltf, .glb) keeps its size and its own materials; the plinth, the floor and
+/// the camera fit themselves to it. If it brings lights, they replace the sun; its cameras come
+/// after the plinth's own. `library` keeps the model for importModels().
+std::optional<std::string> sceneAround(const std::filesystem::path& file, ModelLibrary& library,
+                                       Diagnostics& diagnostics);
 
 }  // namespace vitrine
