@@ -123,18 +123,20 @@ std::vector<RayClass> rayClasses(const KnotMesh& mesh, const Viewpoint& view) {
 }
 
 PackedScene packMesh(const KnotMesh& mesh) {
+    auto whole = std::make_shared<Mesh>();
+    whole->positions = mesh.positions;
+    whole->triangles = mesh.triangles;
+    whole->normals.assign(mesh.positions.size(), glm::vec3(0, 1, 0));
+    whole->uvs.assign(mesh.positions.size(), glm::vec2(0));
+    whole->triangleParts.assign(mesh.triangles.size(), 0);
+    whole->partNames = {"default"};
     auto asset = std::make_shared<MeshAsset>();
-    asset->mesh.positions = mesh.positions;
-    asset->mesh.triangles = mesh.triangles;
-    asset->mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 1, 0));
-    asset->mesh.uvs.assign(mesh.positions.size(), glm::vec2(0));
-    asset->mesh.triangleParts.assign(mesh.triangles.size(), 0);
-    asset->mesh.partNames = {"default"};
+    asset->mesh = whole;
     asset->bvh = buildTriangleBvh(mesh.positions, mesh.triangles);
     Scene scene;
     scene.shapes.emplace_back().name = "shape";
     scene.nodes.emplace_back().shape.name = "shape";
-    Assets assets{{asset}, {nullptr}, {}, {}};
+    Assets assets{{asset}, {nullptr}, {}, {}, {}};
     Diagnostics diagnostics;
     PackedScene packed = packScene(scene, assets, diagnostics);
     diagnostics.throwIfErrors();
@@ -148,7 +150,7 @@ PackedScene packField(const std::string& file) {
     Scene scene;
     scene.shapes.emplace_back().name = "shape";
     scene.nodes.emplace_back().shape.name = "shape";
-    Assets assets{{nullptr}, {std::make_shared<Snippet>(std::move(*snippet))}, {}, {}};
+    Assets assets{{nullptr}, {std::make_shared<Snippet>(std::move(*snippet))}, {}, {}, {}};
     PackedScene packed = packScene(scene, assets, diagnostics);
     diagnostics.throwIfErrors();
     return packed;

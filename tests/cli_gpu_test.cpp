@@ -40,6 +40,21 @@ constexpr const char* kBall =
     "uniform float radius;  // slider[0.1, 0.5, 1.0] Radius\n"
     "float sdf(vec3 p) { return length(p) - radius * (1.0 - 0.1 * time); }\n";
 
+/// A triangle in a node of this scale, with a camera, as a file by itself.
+std::string model(double scale) {
+    Json json = Json::parse(R"({"asset": {"version": "2.0"},
+        "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3}],
+        "materials": [{"name": "Brass", "doubleSided": true,
+                       "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1], "metallicFactor": 0}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+        "cameras": [{"name": "eye", "type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
+        "nodes": [{"name": "leaf", "mesh": 0}, {"camera": 0, "translation": [0.3, 0.3, 2]}]})");
+    json["nodes"][0]["scale"] = {scale, scale, scale};
+    return json.dump(2);
+}
+
 class CliGpu : public CliTest {
   protected:
     void SetUp() override {
@@ -189,7 +204,11 @@ TEST_F(CliGpu, DrawsBareFiles) {
     write("tri.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\n");
     write("far.obj", "v 5e8 0 0\nv 6e8 0 0\nv 5e8 1e8 0\nf 1 2 3\n");
     write("tiny.obj", "v 0 0 0\nv 3e-7 0 0\nv 0 3e-7 0\nf 1 2 3\n");
-    for (const char* file : {"tri.obj", "ball.sdf.glsl", "far.obj", "tiny.obj"}) {
+    write("metre.gltf", model(1));
+    write("tiny.gltf", model(1e-6));
+    write("far.gltf", model(1e8));
+    for (const char* file : {"tri.obj", "ball.sdf.glsl", "far.obj", "tiny.obj", "metre.gltf",
+                             "tiny.gltf", "far.gltf"}) {
         const Arguments with{"render", file, "-o", "x.png", "-r", "64x40", "--view", "depth"};
         Arguments without = with;
         without[3] = "y.png";
@@ -204,6 +223,36 @@ TEST_F(CliGpu, DrawsBareFiles) {
         for (size_t i = 0; i < there.pixels.size(); i += 4)
             differing += there.pixels[i] != gone.pixels[i] ? 1 : 0;
         EXPECT_GT(differing, 100u) << file << ": the object is large in the picture";
+    }
+}
+
+TEST_F(CliGpu, ModelsBringCamerasAndMaterials) {
+    write("leaf.gltf", model(1));
+    write("m.toml", "[[node]]\nname = \"a\"\ninclude = \"leaf.gltf\"\n");
+    const auto middle = [&](const Arguments& more) {
+        Arguments arguments{"render", "m.toml", "-o", "x.png", "-r", "64x40", "--view", "albedo"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome o = run(arguments);
+        EXPECT_EQ(o.code, 0) << o.err;
+        const ImageRgba8 image = picture("x.png");
+        const auto pixel = image.at(32, 20);
+        return std::array<int, 3>{pixel[0], pixel[1], pixel[2]};
+    };
+    EXPECT_EQ(middle({}), (std::array{255, 0, 0})) << "the model's camera is the only one";
+    EXPECT_EQ(middle({"--camera", "a/eye", "--set", "material.leaf/Brass.base_color=[0,1,0]"}),
+              (std::array{0, 255, 0}));
+    EXPECT_EQ(middle({"--set", "node.a/leaf.at=[0,9,0]"}), (std::array{0, 0, 0}));
+    const Outcome info = run({"info", "leaf.gltf"});
+    EXPECT_EQ(info.code, 0);
+    EXPECT_NE(info.out.find("cameras: plinth, object/eye"), std::string::npos) << info.out;
+    EXPECT_NE(info.out.find("mesh leaf/mesh 0: 1 triangles"), std::string::npos) << info.out;
+    EXPECT_EQ(run({"check", "leaf.gltf"}).out, "leaf.gltf: good\n");
+
+    write("leaf.gltf", "{\n \"asset\": {\"version\": \"2.0\"},\n \"nodes\": [{\"mesh\": 0}]\n}");
+    for (const char* file : {"leaf.gltf", "m.toml"}) {
+        const Outcome check = run({"check", file});
+        EXPECT_EQ(check.code, 1);
+        EXPECT_NE(check.out.find("leaf.gltf:3:"), std::string::npos) << check.out;
     }
 }
 

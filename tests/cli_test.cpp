@@ -218,7 +218,8 @@ TEST_F(Cli, FilesThatAreNoScenes) {
         {"folder.toml", "folder.toml: error: not a regular file\n"},
         {"huge.toml", "huge.toml: error: too large: 1048577 bytes, at most 1048576 are read\n"},
         {"picture.jpg",
-         "picture.jpg: error: not a scene (.toml), a model (.obj) or a field (.sdf.glsl)\n"}};
+         "picture.jpg: error: not a scene (.toml), a model (.gltf, .glb, .obj) or a field "
+         "(.sdf.glsl)\n"}};
     for (const auto& [file, message] : cases)
         for (const char* command : {"check", "info"}) {
             const Outcome o = run({command, file}, {}, 10);

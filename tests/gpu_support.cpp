@@ -39,7 +39,7 @@ TestScene::TestScene() {
 int TestScene::addMesh(vitrine::Mesh mesh) {
     auto asset = std::make_shared<MeshAsset>();
     asset->bvh = buildTriangleBvh(mesh.positions, mesh.triangles, buildOptions(scene.bvh));
-    asset->mesh = std::move(mesh);
+    asset->mesh = std::make_shared<vitrine::Mesh>(std::move(mesh));
     assets_.meshes.push_back(std::move(asset));
     assets_.fields.push_back(nullptr);
     Shape shape;

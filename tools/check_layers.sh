@@ -18,12 +18,13 @@ declare -A may=(
     [mesh]="base"
     [gltf]="base image mesh"
     [scene]="base image"
+    [import]="base image mesh gltf scene"
     [bvh]="base"
     [sdf]="base"
     [pack]="base image mesh scene bvh sdf shared"
     [gpu]="base"
     [frame]="base image scene bvh sdf mesh pack gpu shared"
-    [app/session]="base image mesh scene bvh sdf pack gpu frame"
+    [app/session]="base image mesh gltf scene import bvh sdf pack gpu frame"
     [app/cli]="base image mesh scene bvh sdf pack frame app/session"
 )
 # Folders of shaders/: includes go only leftwards in this list.

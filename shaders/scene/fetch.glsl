@@ -6,7 +6,7 @@
 #if DIALECT_ES
 uniform usampler2D sceneSlots;      // the trees: nodes, triangles, instances
 uniform usampler2D sceneTriangles;  // three vertices and the part of each triangle
-uniform sampler2D sceneVertices;    // position, u | normal, v
+uniform sampler2D sceneVertices;    // position, u | normal, v; then lists of the mesh, see below
 uniform sampler2D sceneTables;      // instances, materials, lights, parameters
 #if HAS_SKY
 uniform sampler2D skyTree;  // nodes of the trees of pack/sky_map.hpp
@@ -54,6 +54,7 @@ struct Instance {
     int flags;                // VITRINE_INSTANCE_*
     int shape;                // mesh: root slot of its tree; field: number of the field
     int materials;            // index of part 0's material in the material lists
+    int extras, tangents;     // mesh: beginnings of its lists in sceneVertices, for vertex 0; 0: none
     int parameters;           // mesh: first triangle; field: first parameter
     vec3 boxMin;              // object space
     vec3 boxMax;
@@ -80,10 +81,34 @@ Instance fetchInstance(int instance) {
     result.parameters = int(indices.w);
     result.boxMin = low.xyz;
     result.boxMax = high.xyz;
+    result.extras = int(low.w);
+    result.tangents = int(high.w);
     result.stepScale = low.w;
     result.finest = high.w;
     return result;
 }
+
+#if HAS_VERTEX_EXTRAS
+struct VertexExtras {
+    vec2 uv2;
+    vec4 color;
+};
+
+VertexExtras fetchVertexExtras(Instance instance, int vertex) {
+    if (instance.extras == 0) return VertexExtras(vec2(0.0), vec4(1.0));
+    vec4 a = FETCH(sceneVertices, instance.extras + vertex);
+    vec2 high = floor(a.zw / 4096.0);
+    vec2 low = a.zw - 4096.0 * high;
+    return VertexExtras(a.xy, vec4(high.x, low.x, high.y, low.y) / 4095.0);
+}
+#endif
+
+#if HAS_TANGENTS
+// Where u grows, and the sign of the bitangent; zero where there is none.
+vec4 fetchTangent(Instance instance, int vertex) {
+    return instance.tangents == 0 ? vec4(0.0) : FETCH(sceneVertices, instance.tangents + vertex);
+}
+#endif
 
 vec3 transformPoint(vec4 rows[3], vec3 p) {
     return vec3(dot(rows[0].xyz, p) + rows[0].w, dot(rows[1].xyz, p) + rows[1].w,

@@ -17,6 +17,7 @@ struct TextureEntry {
     int firstLevel;  // texel of the table of levels
     int levels;
     ivec2 wrap;
+    bool nearest;
 };
 
 TextureEntry fetchTexture(int texture) {
@@ -24,14 +25,16 @@ TextureEntry fetchTexture(int texture) {
     int wrap = int(a.w);
     int sides = int(a.x);
     return TextureEntry(vec2(1 << (sides & 31), 1 << (sides >> 5)), int(a.y), int(a.z),
-                        ivec2(wrap & 3, wrap >> 2));
+                        ivec2(wrap & 3, (wrap >> 2) & 3), (wrap & 16) != 0);
 }
 
-// Bilinear in one level; uv inside [0, 1], v downwards.
+// Bilinear in one level, or in the middle of a texel; uv inside [0, 1], v downwards.
 vec3 levelCoordinates(TextureEntry entry, int level, vec2 uv, float pageSize) {
     vec4 place = fetchTable(entry.firstLevel + level);
     vec2 size = max(floor(entry.size / float(1 << level)), vec2(1.0));
-    return vec3((place.yz + uv * size) / pageSize, place.x);
+    vec2 at = uv * size;
+    if (entry.nearest) at = min(floor(at), size - 1.0) + 0.5;
+    return vec3((place.yz + at) / pageSize, place.x);
 }
 
 // `footprint`: width of the pixel in the texture, as a part of it, along its longer side.

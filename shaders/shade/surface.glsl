@@ -70,7 +70,7 @@ void loadMaterial(inout Hit hit, Instance instance, TextureFrame geometry) {
     vec4 a = fetchTable(i);
     vec4 b = fetchTable(i + 1);
     vec4 c = fetchTable(i + 2);
-    hit.surface.baseColor = a.rgb;
+    hit.surface.baseColor = a.rgb * geometry.color.rgb;
     hit.surface.metallic = a.w;
     hit.surface.emission = b.rgb;
     hit.surface.roughness = b.w;
@@ -122,8 +122,9 @@ Hit loadHit(uvec4 record, Ray ray) {
     hit.surface.localPosition = local;
     float lift = 1.0e-5 * (maxComponent(abs(position)) + t);
     vec3 shift = vec3(0.0);
-    TextureFrame geometry = TextureFrame(vec2(0.0), vec3(0.0), vec3(0.0), 0.0);
-    float uvPerMetre = 0.0;
+    TextureFrame geometry =
+        TextureFrame(vec2(0.0), vec2(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec4(1.0));
+    vec2 uvPerMetre = vec2(0.0);
     if (instance.kind == VITRINE_KIND_MESH) {
         uvec4 triangle = fetchTriangle(instance.parameters + int(record.y));
         Vertex a = fetchVertex(int(triangle.x));
@@ -139,9 +140,17 @@ Hit loadHit(uvec4 record, Ray ray) {
         hit.geometricNormal = side * worldFlat;
         hit.surface.inside = side < 0.0;
         // A mesh wound against its normals still shades on the side that is seen.
-        hit.surface.normal = dot(worldSmooth, hit.geometricNormal) < 0.0 ? -worldSmooth : worldSmooth;
+        float facing = dot(worldSmooth, hit.geometricNormal) < 0.0 ? -1.0 : 1.0;
+        hit.surface.normal = facing * worldSmooth;
         hit.surface.uv = weights.x * a.uv + weights.y * b.uv + weights.z * c.uv;
         hit.surface.part = int(triangle.w);
+#if HAS_VERTEX_EXTRAS
+        VertexExtras extraA = fetchVertexExtras(instance, int(triangle.x));
+        VertexExtras extraB = fetchVertexExtras(instance, int(triangle.y));
+        VertexExtras extraC = fetchVertexExtras(instance, int(triangle.z));
+        geometry.color =
+            weights.x * extraA.color + weights.y * extraB.color + weights.z * extraC.color;
+#endif
 #if HAS_TEXTURES
         vec3 edge1 = transformVector(instance.worldFromObject, b.position - a.position);
         vec3 edge2 = transformVector(instance.worldFromObject, c.position - a.position);
@@ -155,7 +164,28 @@ Hit loadHit(uvec4 record, Ray ray) {
         // Texture coordinates per metre: the roots of the ratio of the areas (ray cones, Akenine-
         // Moller et al. 2021, "Improved Shader and Texture Level of Detail Using Ray Cones").
         float worldArea = length(cross(edge1, edge2));
-        uvPerMetre = worldArea > 0.0 ? sqrt(abs(uvArea) / worldArea) : 0.0;
+        vec2 uvAreas = vec2(uvArea, 0.0);
+#if HAS_VERTEX_EXTRAS
+        geometry.uv2 = weights.x * extraA.uv2 + weights.y * extraB.uv2 + weights.z * extraC.uv2;
+        uv1 = extraB.uv2 - extraA.uv2;
+        uv2 = extraC.uv2 - extraA.uv2;
+        uvAreas.y = uv1.x * uv2.y - uv1.y * uv2.x;
+#endif
+        uvPerMetre = worldArea > 0.0 ? sqrt(abs(uvAreas) / worldArea) : vec2(0.0);
+#if HAS_TANGENTS
+        vec4 tangent = weights.x * fetchTangent(instance, int(triangle.x)) +
+                       weights.y * fetchTangent(instance, int(triangle.y)) +
+                       weights.z * fetchTangent(instance, int(triangle.z));
+        if (dot(tangent.xyz, tangent.xyz) > 0.0) {
+            // The bitangent by the object's own orientation: right in mirrored instances, too.
+            vec3 bitangent = cross(smoothNormal, tangent.xyz) * (tangent.w < 0.0 ? -1.0 : 1.0);
+            geometry.tangent = transformVector(instance.worldFromObject, tangent.xyz);
+            geometry.bitangent = transformVector(instance.worldFromObject, bitangent);
+        }
+#endif
+        // Seen from behind, a bump is a dent: all of the bent normal turns round.
+        geometry.tangent *= facing;
+        geometry.bitangent *= facing;
 #endif
         float normalSide = dot(smoothNormal, flatNormal) < 0.0 ? -side : side;
         shift = terminatorShift(local, a, b, c, weights, normalSide);

@@ -6,9 +6,11 @@
 // What the geometry gives for texturing.
 struct TextureFrame {
     vec2 uv;
+    vec2 uv2;         // the second set
     vec3 tangent;     // world space: where u grows, not unit
     vec3 bitangent;   // where v grows
-    float footprint;  // width of the pixel in texture coordinates
+    vec2 footprint;   // width of the pixel in the texture coordinates of both sets
+    vec4 color;       // of the vertices
 };
 
 #if HAS_TEXTURES
@@ -39,11 +41,13 @@ void applyTextures(int firstSlot, int slots, TextureFrame geometry, inout Surfac
         vec4 m = fetchTable(at + 1);
         vec4 b = fetchTable(at + 2);
         int purpose = int(a.x);
-        vec2 uv = mat2(m.xy, m.zw) * geometry.uv + b.xy;
+        bool second = a.z > 0.5;  // set of coordinates
+        vec2 uv = mat2(m.xy, m.zw) * (second ? geometry.uv2 : geometry.uv) + b.xy;
         float scale = sqrt(abs(m.x * m.w - m.y * m.z));
+        float footprint = (second ? geometry.footprint.y : geometry.footprint.x) * scale;
         bool color = purpose == VITRINE_SLOT_BASE_COLOR || purpose == VITRINE_SLOT_EMISSION ||
                      purpose == VITRINE_SLOT_SPECULAR_COLOR || purpose == VITRINE_SLOT_SHEEN_COLOR;
-        vec4 c = sampleTexture(int(a.y), uv, geometry.footprint * scale, color);
+        vec4 c = sampleTexture(int(a.y), uv, footprint, color);
         if (purpose == VITRINE_SLOT_BASE_COLOR) s.baseColor *= c.rgb;
         if (purpose == VITRINE_SLOT_METALLIC_ROUGHNESS) {
             s.roughness *= channelOf(c, int(b.z));

@@ -63,7 +63,7 @@ FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction,
 #endif
     vec3 gradient = vec3(0.0);
     // A field that needs shorter steps gets more of them.
-    int mostSteps = min(int(float(frame.counts.y) / min(instance.stepScale, 1.0)), kMostSteps);
+    int mostSteps = min(int(float(frame.counts.y) / clamp(instance.stepScale, 1.0e-3, 1.0)), kMostSteps);
     // The last step may still be followed by its probes: a normal from fewer would be nonsense.
     for (int i = 0; i < mostSteps + 4; i++) {
         if (state == kFinished || (state == kMarching && i >= mostSteps) || !mayLoop()) break;

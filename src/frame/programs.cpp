@@ -55,6 +55,8 @@ ProgramFeatures featuresOf(const PackedScene& scene, bool counters) {
     features.counters = counters;
     features.textures = scene.textures.any();
     features.layers = scene.hasLayers;
+    features.vertexExtras = scene.hasVertexExtras;
+    features.tangents = scene.hasTangents;
     features.transmission = scene.hasTransmission;
     features.sky = scene.sky != nullptr;
     features.filters = scene.hasFilters;
@@ -72,6 +74,8 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
     key.defines["HAS_TRANSMISSION"] = features.transmission ? 1 : 0;
     key.defines["HAS_SKY"] = features.sky ? 1 : 0;
     key.defines["HAS_FILTERS"] = (traces || pass == "raster") && features.filters ? 1 : 0;
+    key.defines["HAS_VERTEX_EXTRAS"] = features.vertexExtras ? 1 : 0;
+    key.defines["HAS_TANGENTS"] = features.textures && features.tangents ? 1 : 0;
     if (traces) {
         key.defines["HAS_CULLING"] = features.culling ? 1 : 0;
         const bool meshes = features.meshes && pass != "visibility_fields";

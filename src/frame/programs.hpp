@@ -26,6 +26,8 @@ struct ProgramFeatures {
     bool sky = false;           ///< a picture of it
     bool filters = false;       ///< surfaces that let rays pass
     bool culling = false;       ///< meshes not seen from behind
+    bool vertexExtras = false;  ///< second texture coordinates or colours of vertices
+    bool tangents = false;
     bool operator==(const ProgramFeatures&) const = default;
 };
 ProgramFeatures featuresOf(const PackedScene& scene, bool counters);

@@ -19,11 +19,12 @@ namespace vitrine {
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;   ///< unit, one a position
-    std::vector<glm::vec2> uvs;       ///< one a position; (0,0) is the lower left of a picture
-    std::vector<glm::vec2> uvs2;      ///< a second set; none, or one a position
-    std::vector<glm::vec4> colors;    ///< linear RGBA; none, or one a position
-    std::vector<glm::vec4> tangents;  ///< where u grows, unit, and a sign; none, or one a position
+    std::vector<glm::vec3> normals;  ///< unit, one a position
+    std::vector<glm::vec2> uvs;      ///< one a position; (0,0) is the lower left of a picture
+    std::vector<glm::vec2> uvs2;     ///< a second set; none, or one a position
+    std::vector<glm::vec4> colors;   ///< linear RGBA; none, or one a position
+    std::vector<glm::vec4>
+        tangents;  ///< where u grows, unit or zero, and a sign; none, or one a position
     std::vector<glm::uvec3> triangles;    ///< indices of positions
     std::vector<uint32_t> triangleParts;  ///< one a triangle, index into partNames
     std::vector<std::string> partNames;   ///< at least one; a scene gives materials to parts

@@ -16,6 +16,7 @@
 #include "mesh/primitives.hpp"
 #include "pack/atmosphere.hpp"
 #include "pack/tree_options.hpp"
+#include "scene/references.hpp"
 
 namespace vitrine {
 namespace {
@@ -30,12 +31,14 @@ class AssetReader {
         : scene_(scene), diagnostics_(diagnostics) {}
 
     std::shared_ptr<const MeshAsset> mesh(const Shape& shape) {
+        if (shape.imported != nullptr) return build(shape.imported);
         std::optional<Mesh> mesh;
         if (!shape.mesh.empty()) {
             const auto known = meshes_.find(shape.mesh.name);
             if (known != meshes_.end()) return known->second;
+            if (isModelFile(shape.mesh.name)) return nullptr;  // what is wrong has been said
             if (!endsWith(shape.mesh.name, ".obj"))
-                diagnostics_.error(shape.mesh.where, "a mesh is an .obj file");
+                diagnostics_.error(shape.mesh.where, "a mesh is an .obj, .gltf or .glb file");
             else if (const auto text = read(shape.mesh, kMaxObjBytes))
                 mesh = readObj(*text, path_, diagnostics_);
         } else if (shape.box) {
@@ -50,7 +53,7 @@ class AssetReader {
             mesh = makeCylinder(shape.cylinder->radius, shape.cylinder->height * 0.5f);
         }
         std::shared_ptr<const MeshAsset> asset;
-        if (mesh) asset = build(std::move(*mesh));
+        if (mesh) asset = build(std::make_shared<Mesh>(std::move(*mesh)));
         if (!shape.mesh.empty()) meshes_[shape.mesh.name] = asset;
         return asset;
     }
@@ -143,21 +146,24 @@ class AssetReader {
         return {};
     }
 
-    [[nodiscard]] std::shared_ptr<const MeshAsset> build(Mesh mesh) const {
+    /// Shapes that share a mesh share its tree.
+    std::shared_ptr<const MeshAsset> build(const std::shared_ptr<const Mesh>& mesh) {
+        auto& known = built_[mesh.get()];
+        if (known != nullptr) return known;
         auto asset = std::make_shared<MeshAsset>();
-        asset->mesh = std::move(mesh);
+        asset->mesh = mesh;
         const auto start = std::chrono::steady_clock::now();
-        asset->bvh = buildTriangleBvh(asset->mesh.positions, asset->mesh.triangles,
-                                      buildOptions(scene_.bvh));
+        asset->bvh = buildTriangleBvh(mesh->positions, mesh->triangles, buildOptions(scene_.bvh));
         asset->buildSeconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        return asset;
+        return known = asset;
     }
 
     const Scene& scene_;
     Diagnostics& diagnostics_;
     std::string path_;
     std::map<std::string, std::shared_ptr<const MeshAsset>> meshes_;
+    std::map<const Mesh*, std::shared_ptr<const MeshAsset>> built_;
     std::map<std::string, std::shared_ptr<const Snippet>> snippets_;
     std::map<std::string, std::shared_ptr<const ImageRgba8>> pictures_;
 };

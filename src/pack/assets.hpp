@@ -16,7 +16,7 @@
 namespace vitrine {
 
 struct MeshAsset {
-    Mesh mesh;
+    std::shared_ptr<const Mesh> mesh;  ///< never null
     Bvh bvh;
     double buildSeconds = 0;
 };

@@ -2,6 +2,7 @@
 #include "pack/pack_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -20,8 +21,50 @@ std::vector<std::shared_ptr<const Snippet>> eachOnce(
     return list;
 }
 
+/// Indices travel as floats, which are exact up to here.
+constexpr size_t kLargestIndex = 1u << 24;
+
+/// Where a list of one texel a vertex, about to be appended, would begin for vertex 0.
+int beginList(uint32_t firstVertex, PackedGeometry& out) {
+    const size_t texel = out.vertices.size() - firstVertex;
+    out.tooLarge = out.tooLarge || texel > kLargestIndex;
+    return static_cast<int>(std::min(texel, kLargestIndex));
+}
+
+/// The vertices of the next mesh begin at a multiple of their texels.
+void endList(PackedGeometry& out) {
+    while (out.vertices.size() % VITRINE_VERTEX_TEXELS != 0) out.vertices.emplace_back(0.0f);
+}
+
+/// Second texture coordinates, and the colour as two numbers of 12 bits in each of two floats.
+int packExtras(const Mesh& mesh, uint32_t firstVertex, PackedGeometry& out) {
+    if (mesh.uvs2.empty() && mesh.colors.empty()) return 0;
+    const int list = beginList(firstVertex, out);
+    const auto joined = [](float a, float b) {
+        const auto steps = [](float x) { return std::round(std::clamp(x, 0.0f, 1.0f) * 4095); };
+        return steps(a) * 4096 + steps(b);
+    };
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec2 uv = mesh.uvs2.empty() ? glm::vec2(0) : mesh.uvs2[i];
+        const glm::vec4 c = mesh.colors.empty() ? glm::vec4(1) : mesh.colors[i];
+        out.vertices.emplace_back(uv.x, uv.y, joined(c.x, c.y), joined(c.z, c.w));
+    }
+    endList(out);
+    out.hasVertexExtras = true;
+    return list;
+}
+
+int packTangents(const Mesh& mesh, uint32_t firstVertex, PackedGeometry& out) {
+    if (mesh.tangents.empty()) return 0;
+    const int list = beginList(firstVertex, out);
+    out.vertices.insert(out.vertices.end(), mesh.tangents.begin(), mesh.tangents.end());
+    endList(out);
+    out.hasTangents = true;
+    return list;
+}
+
 PackedMesh packMesh(const MeshAsset& asset, BvhLayout& layout, PackedGeometry& out) {
-    const Mesh& mesh = asset.mesh;
+    const Mesh& mesh = *asset.mesh;
     const auto firstVertex = static_cast<uint32_t>(out.vertices.size() / VITRINE_VERTEX_TEXELS);
     const auto firstTriangle = static_cast<int>(out.triangles.size());
     for (size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -30,7 +73,9 @@ PackedMesh packMesh(const MeshAsset& asset, BvhLayout& layout, PackedGeometry& o
     }
     for (size_t i = 0; i < mesh.triangles.size(); ++i)
         out.triangles.emplace_back(mesh.triangles[i] + firstVertex, mesh.triangleParts[i]);
-    return {layout.addMesh(asset.bvh, mesh.positions, mesh.triangles), firstTriangle};
+    const uint32_t root = layout.addMesh(asset.bvh, mesh.positions, mesh.triangles);
+    return {root, firstTriangle, packExtras(mesh, firstVertex, out),
+            packTangents(mesh, firstVertex, out)};
 }
 
 }  // namespace

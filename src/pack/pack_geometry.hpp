@@ -15,6 +15,8 @@ namespace vitrine {
 struct PackedMesh {
     uint32_t root = 0;  ///< slot
     int firstTriangle = 0;
+    /// What a vertex's number is added to for its texel in that list; 0: none.
+    int extras = 0, tangents = 0;
 };
 
 struct PackedGeometry {
@@ -33,6 +35,8 @@ struct PackedGeometry {
     GeneratedShaders shaders;
     /// Of any node, visible or not: it may become so.
     bool hasMeshes = false, hasFields = false;
+    bool hasVertexExtras = false, hasTangents = false;  ///< some mesh has them
+    bool tooLarge = false;  ///< more texels of vertices than an index can name
 };
 
 PackedGeometry packGeometry(const Scene& scene, const Assets& assets);

@@ -20,8 +20,8 @@ bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
 
 std::shared_ptr<const MeshAsset> meshAsset(Mesh mesh) {
     auto asset = std::make_shared<MeshAsset>();
-    asset->mesh = std::move(mesh);
-    asset->bvh = buildTriangleBvh(asset->mesh.positions, asset->mesh.triangles);
+    asset->bvh = buildTriangleBvh(mesh.positions, mesh.triangles);
+    asset->mesh = std::make_shared<Mesh>(std::move(mesh));
     return asset;
 }
 

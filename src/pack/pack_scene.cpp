@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "base/text.hpp"
 #include "bvh/build.hpp"
@@ -15,13 +16,6 @@
 
 namespace vitrine {
 namespace {
-
-template <class T>
-int indexByName(const std::vector<T>& objects, const std::string& name) {
-    for (size_t i = 0; i < objects.size(); ++i)
-        if (objects[i].name == name) return static_cast<int>(i);
-    return -1;
-}
 
 std::array<glm::vec4, 3> rowsOf(const glm::mat4& m) {
     const glm::mat4 t = glm::transpose(m);
@@ -50,7 +44,11 @@ class Packer {
   public:
     Packer(const Scene& scene, const Assets& assets, const PackedGeometry& geometry,
            Diagnostics& diagnostics)
-        : scene_(scene), assets_(assets), geometry_(geometry), diagnostics_(diagnostics) {}
+        : scene_(scene), assets_(assets), geometry_(geometry), diagnostics_(diagnostics) {
+        for (size_t i = 0; i < scene.shapes.size(); ++i) shapes_.emplace(scene.shapes[i].name, i);
+        for (size_t i = 0; i < scene.materials.size(); ++i)
+            materialNumbers_.emplace(scene.materials[i].name, static_cast<int>(i));
+    }
 
     PackedMoment pack() {
         packMaterials();
@@ -163,12 +161,20 @@ class Packer {
         return sun;
     }
 
+    [[nodiscard]] int materialByName(const std::string& name) const {
+        const auto found = materialNumbers_.find(name);
+        return found == materialNumbers_.end() ? -1 : found->second;
+    }
+
     /// First texel, in the lists, of the materials of a node's parts.
-    int packPartMaterials(const Node& node, const std::vector<std::string>& partNames) {
+    int packPartMaterials(const Node& node, const Shape& shape,
+                          const std::vector<std::string>& partNames) {
         const int unnamed = static_cast<int>(out_.materialNames.size()) - 1;
-        const int whole =
-            node.material.empty() ? unnamed : indexByName(scene_.materials, node.material.name);
+        const int whole = node.material.empty() ? unnamed : materialByName(node.material.name);
         std::vector<int> chosen(partNames.size(), whole);
+        if (node.material.empty())
+            for (size_t i = 0; i < shape.partMaterials.size() && i < partNames.size(); ++i)
+                chosen[i] = materialByName(shape.partMaterials[i].second);
         for (size_t i = 0; i < node.parts.size(); ++i) {
             const auto& [part, material] = node.parts[i];
             const auto found = std::find(partNames.begin(), partNames.end(), part);
@@ -179,7 +185,7 @@ class Packer {
                                                fmt::join(partNames, "', '")));
             else
                 chosen[static_cast<size_t>(found - partNames.begin())] =
-                    indexByName(scene_.materials, material.name);
+                    materialByName(material.name);
         }
         const auto first = static_cast<int>(materialLists_.size());
         for (const int material : chosen)
@@ -200,12 +206,12 @@ class Packer {
         const std::vector<glm::mat4> world = worldFromNodes(scene_);
         for (size_t i = 0; i < scene_.nodes.size(); ++i) {
             const Node& node = scene_.nodes[i];
-            const int shape = indexByName(scene_.shapes, node.shape.name);
-            if (shape < 0) continue;
-            const auto& mesh = assets_.meshes[static_cast<size_t>(shape)];
-            const auto& field = assets_.fields[static_cast<size_t>(shape)];
-            if (field == nullptr && !node.set.empty() &&
-                scene_.shapes[static_cast<size_t>(shape)].sdf.empty())
+            const auto named = shapes_.find(node.shape.name);
+            if (named == shapes_.end()) continue;
+            const Shape& shape = scene_.shapes[named->second];
+            const auto& mesh = assets_.meshes[named->second];
+            const auto& field = assets_.fields[named->second];
+            if (field == nullptr && !node.set.empty() && shape.sdf.empty())
                 diagnostics_.error(node.set[0].where, "only an SDF shape has parameters to set");
             if ((mesh == nullptr && field == nullptr) || !node.visible) continue;
             if (field != nullptr && !field->box()) {
@@ -219,7 +225,7 @@ class Packer {
                                 node.name));
                 continue;
             }
-            addInstance(node, world[i], static_cast<size_t>(shape));
+            addInstance(node, world[i], named->second);
         }
         out_.block.counts.z = addUpperLevel(false);
         out_.fieldRoot = geometry_.hasMeshes ? addUpperLevel(true) : out_.block.counts.z;
@@ -276,26 +282,30 @@ class Packer {
     }
 
     void addInstance(const Node& node, const glm::mat4& worldFromObject, size_t shape) {
+        const Shape& shapeOfNode = scene_.shapes[shape];
         const auto& mesh = assets_.meshes[shape];
         const auto& field = assets_.fields[shape];
         const Aabb box = mesh != nullptr ? mesh->bvh.box() : *field->box();
-        float stepScale = 1, precision = 0;
+        float perMeshOrField[2] = {0, 0};
         int firstTriangle = 0;
         glm::vec4 indices;
         if (mesh != nullptr) {
             const PackedMesh& packed = geometry_.meshes[shape];
             firstTriangle = packed.firstTriangle;
-            indices = texel(VITRINE_KIND_MESH, static_cast<int>(packed.root),
-                            packPartMaterials(node, mesh->mesh.partNames), firstTriangle);
-            out_.triangleCount += mesh->mesh.triangles.size();
+            indices =
+                texel(VITRINE_KIND_MESH, static_cast<int>(packed.root),
+                      packPartMaterials(node, shapeOfNode, mesh->mesh->partNames), firstTriangle);
+            perMeshOrField[0] = static_cast<float>(packed.extras);
+            perMeshOrField[1] = static_cast<float>(packed.tangents);
+            out_.triangleCount += mesh->mesh->triangles.size();
         } else {
             const int parameters = addParameters(parameterValues(*field, node.set, diagnostics_));
             indices = texel(VITRINE_KIND_FIELD, number(geometry_.fieldSnippets, field),
-                            packPartMaterials(node, partNamesOf(*field)), parameters);
-            stepScale = 1 / field->stepDivisor();
+                            packPartMaterials(node, shapeOfNode, partNamesOf(*field)), parameters);
+            perMeshOrField[0] = 1 / field->stepDivisor();  // the scale of steps
             // What the float arithmetic of a field of this size cannot tell from zero.
             const glm::vec3 size = glm::max(glm::abs(box.min), glm::abs(box.max));
-            precision = 4e-6f * std::max(size.x, std::max(size.y, size.z));
+            perMeshOrField[1] = 4e-6f * std::max(size.x, std::max(size.y, size.z));
         }
         const int flags = instanceFlags(static_cast<int>(indices.z), field != nullptr);
         indices.x += static_cast<float>(flags);
@@ -303,13 +313,13 @@ class Packer {
             instances_.push_back(row);
         for (const glm::vec4& row : rowsOf(worldFromObject)) instances_.push_back(row);
         instances_.push_back(indices);
-        instances_.emplace_back(box.min, stepScale);
-        instances_.emplace_back(box.max, precision);
+        instances_.emplace_back(box.min, perMeshOrField[0]);
+        instances_.emplace_back(box.max, perMeshOrField[1]);
 
         const Aabb worldBox = instanceBox(box, worldFromObject);
         out_.worldBox.grow(worldBox);
         out_.instances.push_back({node.name, worldFromObject, worldBox, field != nullptr,
-                                  firstTriangle, mesh != nullptr ? mesh->mesh.triangles.size() : 0,
+                                  firstTriangle, mesh != nullptr ? mesh->mesh->triangles.size() : 0,
                                   box, mesh, (flags & VITRINE_INSTANCE_CULLED) != 0});
     }
 
@@ -367,6 +377,8 @@ class Packer {
     Diagnostics& diagnostics_;
     PackedMoment out_;
     BvhLayout layout_{static_cast<uint32_t>(geometry_.slots.size() / VITRINE_SLOT_TEXELS)};
+    std::unordered_map<std::string, size_t> shapes_;
+    std::unordered_map<std::string, int> materialNumbers_;
     std::vector<glm::vec4> instances_, materials_, lights_, parameters_, materialLists_;
 };
 
@@ -380,6 +392,10 @@ PackedMoment packMoment(const Scene& scene, const Assets& assets, const PackedGe
 PackedScene packScene(const Scene& scene, const Assets& assets, Diagnostics& diagnostics) {
     PackedScene packed;
     static_cast<PackedGeometry&>(packed) = packGeometry(scene, assets);
+    if (packed.tooLarge)
+        diagnostics.error({scene.file},
+                          "the scene is too large: more than 5 million vertices with colours, "
+                          "second coordinates or tangents");
     static_cast<PackedMoment&>(packed) = packMoment(scene, assets, packed, diagnostics);
     checkAnimations(scene, assets, diagnostics);
     return packed;

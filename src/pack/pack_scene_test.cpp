@@ -208,7 +208,7 @@ TEST_F(PackScene, WorldBoxesContainTheirMeshes) {
     const glm::mat4& m = p.instances[0].worldFromObject;
     EXPECT_GT(glm::determinant(glm::mat3(m)), 0) << "mirrored twice";
     Aabb exact;
-    for (const vec3& v : assets.meshes[0]->mesh.positions) exact.grow(vec3(m * vec4(v, 1)));
+    for (const vec3& v : assets.meshes[0]->mesh->positions) exact.grow(vec3(m * vec4(v, 1)));
     const Aabb& box = p.instances[0].worldBox;
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_LE(box.min[axis], exact.min[axis]);
@@ -267,7 +267,7 @@ snippet = "f.glsl"
               "t:4:8: error: '../two.obj': the path leads out of the scene's folder\n"
               "t:6:8: error: '/etc/hostname.obj': the path is absolute; write it relative to the "
               "scene's folder\n"
-              "t:8:8: error: a mesh is an .obj file\n"
+              "t:8:8: error: a mesh is an .obj, .gltf or .glb file\n"
               "t:10:7: error: the file's name must end in .sdf.glsl\n"
               "t:12:8: error: 'dir.obj': not a regular file\n"
               "bad.obj:2:5: error: vertex 2 does not exist: there is 1 so far\n"

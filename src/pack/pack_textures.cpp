@@ -18,15 +18,15 @@ constexpr auto kUses = [] {
     return uses;
 }();
 
-/// Pictures to be packed, each once for every way it is wrapped.
+/// Pictures to be packed, each once for every way it is wrapped and filtered.
 class RequestList {
   public:
     int add(const ImageRgba8* image, const MaterialTexture& texture) {
         for (size_t i = 0; i < list.size(); ++i)
-            if (std::tie(list[i].image, list[i].wrapU, list[i].wrapV) ==
-                std::tie(image, texture.wrapU, texture.wrapV))
+            if (std::tie(list[i].image, list[i].wrapU, list[i].wrapV, list[i].nearest) ==
+                std::tie(image, texture.wrapU, texture.wrapV, texture.nearest))
                 return static_cast<int>(i);
-        list.push_back({image, texture.wrapU, texture.wrapV});
+        list.push_back({image, texture.wrapU, texture.wrapV, texture.nearest});
         return static_cast<int>(list.size()) - 1;
     }
     std::vector<TextureRequest> list;
@@ -48,7 +48,8 @@ std::vector<int> appendEntries(const TextureAtlas& atlas, std::vector<glm::vec4>
         addresses.push_back(entry);
         table.push_back(texel(place.log2Width | place.log2Height << 5, entry + 1,
                               place.levels.size(),
-                              static_cast<int>(place.wrapU) | static_cast<int>(place.wrapV) << 2));
+                              static_cast<int>(place.wrapU) | static_cast<int>(place.wrapV) << 2 |
+                                  (place.nearest ? 16 : 0)));
         for (const LevelPlace& level : place.levels)
             table.push_back(texel(level.page, level.x, level.y, 0));
     }

@@ -181,6 +181,7 @@ TextureAtlas packTextures(std::span<const TextureRequest> requests, TextureUse u
         place.log2Height = std::countr_zero(static_cast<unsigned>(powerOfTwoSide(image.height)));
         place.levels.resize(static_cast<size_t>(1 + std::min(place.log2Width, place.log2Height)));
         place.wrapU = requests[i].wrapU;
+        place.nearest = requests[i].nearest;
         place.wrapV = requests[i].wrapV;
     }
     const std::vector<Rectangle> list = rectangles(atlas.places);

@@ -31,6 +31,7 @@ struct TexturePlace {
     int log2Width = 0, log2Height = 0;
     std::vector<LevelPlace> levels;  ///< each half as wide and high as the one before
     TextureWrap wrapU = TextureWrap::kRepeat, wrapV = TextureWrap::kRepeat;
+    bool nearest = false;
 };
 
 /// A square page; rows from the top of the pictures downwards.
@@ -42,6 +43,7 @@ struct TexturePage {
 struct TextureRequest {
     const ImageRgba8* image = nullptr;
     TextureWrap wrapU = TextureWrap::kRepeat, wrapV = TextureWrap::kRepeat;
+    bool nearest = false;  ///< only handed on
 };
 
 struct TextureAtlas {

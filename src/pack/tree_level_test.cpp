@@ -16,8 +16,10 @@ namespace {
 
 std::shared_ptr<const MeshAsset> assetOf(const test::Mesh& mesh, TreeBuilder builder) {
     auto asset = std::make_shared<MeshAsset>();
-    asset->mesh.positions = mesh.positions;
-    asset->mesh.triangles = mesh.triangles;
+    vitrine::Mesh shape;
+    shape.positions = mesh.positions;
+    shape.triangles = mesh.triangles;
+    asset->mesh = std::make_shared<vitrine::Mesh>(std::move(shape));
     TreeSettings settings;
     settings.builder = builder;
     asset->bvh = buildTriangleBvh(mesh.positions, mesh.triangles, buildOptions(settings));
@@ -68,7 +70,7 @@ TEST(TreeLevel, TrianglesAreInTheirBoxes) {
             EXPECT_EQ(level.boxOfTriangle.size(), 402u);
             EXPECT_EQ(level.firstBox.back(), level.boxes.size());
             for (size_t i = 0; i < 3; ++i) {
-                const Mesh& mesh = list[i].mesh->mesh;
+                const Mesh& mesh = *list[i].mesh->mesh;
                 for (size_t t = 0; t < mesh.triangles.size(); ++t) {
                     const uint32_t box =
                         level.firstBox[i] +
@@ -138,7 +140,7 @@ TEST(TreeLevel, TheObjHoldsAllBoxesAndTheyHoldAllTriangles) {
                             glm::vec4(read.mesh.positions[read.mesh.triangles[t][c]], 1)));
                     ++seen;
                 }
-                const Mesh& mesh = list[i].mesh->mesh;
+                const Mesh& mesh = *list[i].mesh->mesh;
                 for (const glm::uvec3& t : mesh.triangles)
                     for (int c = 0; c < 3; ++c)
                         ASSERT_TRUE(std::any_of(boxes.begin(), boxes.end(), [&](const Aabb& box) {

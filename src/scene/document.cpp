@@ -36,17 +36,6 @@ std::string explainSyntax(std::string message, std::string_view text, toml::sour
     return message;
 }
 
-/// The value as TOML, or as text if it is none.
-std::optional<toml::table> parseValue(const std::string& value, const std::string& file) {
-    for (const std::string& text : {"value = " + value, fmt::format("value = '''{}'''", value)}) {
-        try {
-            return toml::parse(text, file);
-        } catch (const toml::parse_error&) {
-        }
-    }
-    return {};
-}
-
 /// The tables of a list section that a key means: those of the name in words[1], or all.
 std::vector<toml::table*> findInList(toml::array& list, const std::vector<std::string>& words,
                                      std::vector<std::string>& names) {
@@ -162,6 +151,16 @@ std::optional<toml::table> parseDocument(std::string_view text, const std::strin
                           explainSyntax(printable(std::string(error.description())), text, at));
         return {};
     }
+}
+
+std::optional<toml::table> parseValue(const std::string& value, const std::string& file) {
+    for (const std::string& text : {"value = " + value, fmt::format("value = '''{}'''", value)}) {
+        try {
+            return toml::parse(text, file);
+        } catch (const toml::parse_error&) {
+        }
+    }
+    return {};
 }
 
 void applyOverride(toml::table& document, const std::string& assignment, Diagnostics& diagnostics) {

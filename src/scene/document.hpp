@@ -39,6 +39,9 @@ SourceLocation placeOf(const toml::key& key, const toml::node& value);
 std::optional<toml::table> parseDocument(std::string_view text, const std::string& file,
                                          Diagnostics& diagnostics);
 
+/// The value of a `--set` under the key "value", or as text if it is no TOML.
+std::optional<toml::table> parseValue(const std::string& value, const std::string& file);
+
 /// Merges one `--set KEY=VALUE`. KEY is "section.key" for the sections there is one of (render,
 /// environment, scene), "section.NAME.key" for the others; "camera.key" means the first camera and
 /// "light.key" every light. VALUE is a TOML value; anything else is taken for text.

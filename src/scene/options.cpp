@@ -207,7 +207,7 @@ const OptionTable<Material>& materialOptions() {
 const OptionTable<Shape>& shapeOptions() {
     static const OptionTable<Shape> table{
         {"sdf", FileMember<Shape>{&Shape::sdf}, kNone, "NAME.sdf.glsl with `float sdf(vec3 p)`"},
-        {"mesh", FileMember<Shape>{&Shape::mesh}, kNone, "NAME.obj"},
+        {"mesh", FileMember<Shape>{&Shape::mesh}, kNone, "NAME.obj, NAME.gltf or NAME.glb"},
     };
     return table;
 }
@@ -249,6 +249,8 @@ const OptionTable<Node>& nodeOptions() {
         {"name", &Node::name, kNone, "for `parent` and `--set node.NAME.key=value`"},
         {"parent", &Node::parent, kNone, "node whose place this one's is relative to"},
         {"shape", &Node::shape, kNone, "what stands here; none makes a group"},
+        {"include", &Node::include, kNone,
+         "instead of shape: NAME.gltf or NAME.glb, all that is in it"},
         {"material", &Node::material, kNone, "of all parts that `parts` does not name"},
         {"at", &Node::at, kAnyNumber, "position, m"},
         {"rotate", &Node::rotate, kAnyNumber, "degrees about x, then y, then z"},

@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "scene/animations.hpp"
+#include "scene/import_overrides.hpp"
 #include "scene/include.hpp"
 #include "scene/references.hpp"
 #include "scene/values.hpp"
@@ -284,10 +285,14 @@ class SceneParser {
         if (const toml::node* set = table.get("set"))
             readParameters(*set, "set", node.set, diagnostics_);
         if (const toml::node* parts = table.get("parts")) partMaterials(*parts, node);
-        for (const char* key : {"material", "parts", "set"})
-            if (const toml::node* unused = node.shape.empty() ? table.get(key) : nullptr)
+        for (const char* key : {"material", "parts", "set"}) {
+            const bool used = !node.shape.empty() || (!node.include.empty() && key[0] != 's');
+            if (const toml::node* unused = used ? nullptr : table.get(key))
                 diagnostics_.error(placeOf(*unused),
                                    fmt::format("{} has no effect: the node has no shape", key));
+        }
+        if (!node.shape.empty() && !node.include.empty())
+            diagnostics_.error(node.include.where, "give shape or include, not both");
         for (int axis = 0; axis < 3; ++axis)
             if (node.scale[axis] == 0) {
                 diagnostics_.error(placeOf(*table.get("scale")), "scale must not be zero");
@@ -342,7 +347,12 @@ Scene parseScene(std::string_view text, const std::string& file,
     Diagnostics found;
     std::optional<toml::table> document = files.load(text, file, found);
     if (document) {
-        for (const std::string& assignment : overrides) applyOverride(*document, assignment, found);
+        for (const std::string& assignment : overrides) {
+            if (namesImported(*document, assignment))
+                scene.importOverrides.push_back(assignment);
+            else
+                applyOverride(*document, assignment, found);
+        }
         SceneParser(scene, overrides, files, found).parse(*document);
     }
     // The document gives its keys by the alphabet; people read errors from the top of the file.

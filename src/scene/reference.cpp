@@ -97,6 +97,7 @@ Every key can also be given on the command line. What is no TOML value is taken 
 --set light.intensity=2             every light                --set light.NAME.type=point
 --set material.NAME.roughness=0.1   --set shape.NAME.sphere.radius=2
 --set node.NAME.at=[0,1,0]          --set node.NAME.set.PARAMETER=0.5
+--set material.FILE/NAME.roughness=0.1    what an included model brings
 ```
 
 A value given so stays as it is, even if an animation of the scene would change it.
@@ -174,7 +175,10 @@ std::string sceneFormatReference() {
            "numbers,\n"
            "`true` or `false`, vectors `[x, y]` to `[x, y, z, w]`, colours.\n";
     section(out, "[shape.NAME]", shapeOptions());
-    out << "\nA shape is one of `sdf`, `mesh` or a built-in solid, which is centred on the "
+    out << "\nA glTF file as `mesh` is one shape of all that it shows; its parts are its "
+           "materials,\n"
+           "which hold unless the node gives others.\n\n"
+           "A shape is one of `sdf`, `mesh` or a built-in solid, which is centred on the "
            "origin:\n";
     builtIn(out, "box", boxOptions());
     builtIn(out, "sphere", sphereOptions());
@@ -183,6 +187,11 @@ std::string sceneFormatReference() {
     builtIn(out, "cylinder", cylinderOptions());
     section(out, "[[node]]", nodeOptions());
     out << "\nA node is scaled, then rotated, then moved; its parent's place comes on top.\n\n"
+           "`include = \"f.glb\"` puts all that is in a glTF file below the node: nodes, meshes,\n"
+           "materials, textures, perspective cameras and lights (a lux is 1 W/m2, a candela 1 "
+           "W/sr).\n"
+           "Materials are called FILE/NAME, all else NODE/NAME. `material` and `parts` replace\n"
+           "materials of the file by their names in it.\n\n"
            "`set = { PARAMETER = VALUE }` gives values to the parameters of an SDF shape, as for\n"
            "materials. `parts = { PART = \"MATERIAL\" }` gives materials to its parts.\n";
     section(out, "[[animation]]", animationOptions());

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <unordered_map>
 
@@ -11,17 +12,28 @@
 namespace vitrine {
 namespace {
 
+/// Which references a check is about.
+enum class Which { kAll, kOfScene, kOfModels };
+
+bool isAbout(Which which, const Reference& reference) {
+    if (which == Which::kAll) return true;
+    const bool late =
+        reference.name.find('/') != std::string::npos || startsWith(reference.where.file, "--set ");
+    return late == (which == Which::kOfModels);
+}
+
 class Names {
   public:
     template <class T>
-    explicit Names(const std::vector<T>& objects) {
+    Names(const std::vector<T>& objects, Which which) : which_(which) {
         for (const T& object : objects)
             if (!object.name.empty()) names_.insert(object.name);
     }
 
     void check(const Reference& reference, const std::string& what,
                Diagnostics& diagnostics) const {
-        if (reference.empty() || names_.count(reference.name) != 0) return;
+        if (reference.empty() || !isAbout(which_, reference)) return;
+        if (names_.count(reference.name) != 0) return;
         // Comparing with every name of a huge scene, error by error, would take minutes.
         constexpr size_t kMostToCompare = 500;
         const std::string hint =
@@ -33,6 +45,7 @@ class Names {
     }
 
   private:
+    Which which_;
     std::set<std::string> names_;
 };
 
@@ -71,13 +84,9 @@ void checkParents(std::vector<Node>& nodes, Diagnostics& diagnostics) {
     }
 }
 
-}  // namespace
-
-void checkReferences(Scene& scene, Diagnostics& diagnostics) {
-    checkUnique(scene.nodes, "node", diagnostics);
-    checkUnique(scene.cameras, "camera", diagnostics);
-    checkUnique(scene.lights, "light", diagnostics);
-    const Names materials(scene.materials), shapes(scene.shapes), nodes(scene.nodes);
+void checkNames(Scene& scene, Which which, Diagnostics& diagnostics) {
+    const Names materials(scene.materials, which), shapes(scene.shapes, which),
+        nodes(scene.nodes, which);
     for (const Node& node : scene.nodes) {
         shapes.check(node.shape, "shape", diagnostics);
         materials.check(node.material, "material", diagnostics);
@@ -86,6 +95,30 @@ void checkReferences(Scene& scene, Diagnostics& diagnostics) {
             materials.check(material, "material", diagnostics);
     }
     checkParents(scene.nodes, diagnostics);
+}
+
+}  // namespace
+
+void checkReferences(Scene& scene, Diagnostics& diagnostics) {
+    checkUnique(scene.nodes, "node", diagnostics);
+    checkUnique(scene.cameras, "camera", diagnostics);
+    checkUnique(scene.lights, "light", diagnostics);
+    checkNames(scene, importsModels(scene) ? Which::kOfScene : Which::kAll, diagnostics);
+}
+
+void checkImportedReferences(Scene& scene, Diagnostics& diagnostics) {
+    if (importsModels(scene)) checkNames(scene, Which::kOfModels, diagnostics);
+}
+
+bool isModelFile(std::string_view name) {
+    return endsWith(name, ".gltf") || endsWith(name, ".glb");
+}
+
+bool importsModels(const Scene& scene) {
+    return std::any_of(scene.nodes.begin(), scene.nodes.end(),
+                       [](const Node& n) { return !n.include.empty(); }) ||
+           std::any_of(scene.shapes.begin(), scene.shapes.end(),
+                       [](const Shape& s) { return isModelFile(s.mesh.name); });
 }
 
 }  // namespace vitrine

@@ -16,7 +16,8 @@ glm::mat4 parentFromNode(const Node& node) {
         m = glm::rotate(m, r.y, {0, 1, 0});
         m = glm::rotate(m, r.x, {1, 0, 0});
     }
-    return glm::scale(m, node.scale);
+    m = glm::scale(m, node.scale);
+    return node.matrix ? m * *node.matrix : m;
 }
 
 }  // namespace

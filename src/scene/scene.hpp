@@ -17,6 +17,8 @@
 
 namespace vitrine {
 
+struct Mesh;
+
 /// A linear RGB colour, distinct from a position.
 struct Color {
     glm::vec3 rgb{0};
@@ -119,6 +121,7 @@ struct MaterialTexture {
     Reference file;
     std::shared_ptr<const ImageRgba8> image;
     TextureWrap wrapU = TextureWrap::kRepeat, wrapV = TextureWrap::kRepeat;
+    bool nearest = false;  ///< square texels instead of blended ones
     int uvSet = 0;
     /// From the mesh's coordinates to the picture's, both with (0, 0) at the lower left.
     glm::mat3 pictureFromMesh{1};
@@ -201,12 +204,15 @@ struct CylinderShape {
 struct Shape {
     std::string name;
     Reference sdf;   ///< a .sdf.glsl file
-    Reference mesh;  ///< an .obj file
+    Reference mesh;  ///< an .obj, .gltf or .glb file
     std::optional<BoxShape> box;
     std::optional<SphereShape> sphere;
     std::optional<PlaneShape> plane;
     std::optional<TorusShape> torus;
     std::optional<CylinderShape> cylinder;
+    /// Triangles of a model that has been read already, and the materials that it gives its parts.
+    std::shared_ptr<const Mesh> imported;
+    std::vector<std::pair<std::string, std::string>> partMaterials;
     SourceLocation where;
 };
 
@@ -214,12 +220,14 @@ struct Node {
     std::string name;
     Reference parent;
     Reference shape;
+    Reference include;  ///< a .gltf or .glb file whose nodes stand below this one
     Reference material;
     std::vector<std::pair<std::string, Reference>> parts;  ///< material by part name
     glm::vec3 at{0};
     glm::vec3 rotate{0};                   ///< degrees about x, then y, then z
     std::optional<glm::quat> orientation;  ///< instead of rotate: a model's
     glm::vec3 scale{1};
+    std::optional<glm::mat4> matrix;  ///< of a model: before the scale
     std::vector<ParameterValue> set;
     bool visible = true;
     SourceLocation where;
@@ -239,6 +247,8 @@ struct Scene {
     std::vector<Shape> shapes;
     std::vector<Node> nodes;
     std::vector<AnimationTrack> animations;
+    /// `--set` of things that come with the models: KEY=VALUE, see import/import_models.hpp.
+    std::vector<std::string> importOverrides;
 };
 
 /// `worldFromObject` of each node: translation, rotation and scale of it and its ancestors.

@@ -45,7 +45,7 @@ std::string histogramOf(const Json& tree) {
 
 Json describeMesh(const std::string& shape, const MeshAsset& asset, const TreeSettings& settings,
                   bool builders) {
-    const Mesh& mesh = asset.mesh;
+    const Mesh& mesh = *asset.mesh;
     Json json{{"shape", shape},
               {"triangles", mesh.triangles.size()},
               {"vertices", mesh.positions.size()},

@@ -41,6 +41,17 @@ Json describeSnippet(const Snippet& snippet) {
     return json;
 }
 
+Json describeTextures(const LoadedScene& loaded) {
+    std::set<const void*> pictures;
+    for (const auto& ofMaterial : loaded.assets.pictures)
+        for (const auto& picture : ofMaterial)
+            if (picture != nullptr) pictures.insert(picture.get());
+    size_t bytes = 0;
+    for (const TextureAtlas* atlas : {&loaded.packed.textures.color, &loaded.packed.textures.data})
+        for (const TexturePage& page : atlas->pages) bytes += page.texels.size();
+    return {{"pictures", pictures.size()}, {"bytes", bytes}};
+}
+
 Json describe(const LoadedScene& loaded, bool builders) {
     Json json{{"scene", loaded.scene.file},
               {"title", loaded.scene.title},
@@ -53,6 +64,7 @@ Json describe(const LoadedScene& loaded, bool builders) {
               {"tree_bytes", (loaded.packed.slots.size() + loaded.packed.upperSlots.size()) *
                                  sizeof(glm::uvec4)}};
     for (const Camera& camera : loaded.scene.cameras) json["cameras"].push_back(camera.name);
+    json["textures"] = describeTextures(loaded);
     json["meshes"] = Json::array();
     json["snippets"] = Json::array();
     std::set<const void*> seen;
@@ -73,6 +85,12 @@ void print(const Json& json) {
                json["scene"].get<std::string>(), json["triangles"].get<size_t>(),
                json["instances"].get<size_t>(), json["lights"].get<size_t>(),
                json["materials"].get<size_t>());
+    if (const auto pictures = json["textures"]["pictures"].get<size_t>(); pictures > 0)
+        fmt::print("{} pictures, {:.1f} MiB of textures\n", pictures,
+                   json["textures"]["bytes"].get<double>() / (1 << 20));
+    if (json["cameras"].size() > 1)
+        fmt::print("cameras: {}\n",
+                   fmt::join(json["cameras"].get<std::vector<std::string>>(), ", "));
     for (const Json& m : json["meshes"]) printMesh(m);
     for (const Json& s : json["snippets"]) {
         fmt::print("snippet {}: {}()\n", s["file"].get<std::string>(),

@@ -33,7 +33,8 @@ void addOverrides(CLI::App& command, std::vector<std::string>& overrides) {
 
 void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen) {
     CLI::App* c = app.add_subcommand("render", "draw a scene into a picture");
-    c->add_option("FILE", o.file, "a scene (.toml), a model (.obj) or a field (.sdf.glsl)")
+    c->add_option("FILE", o.file,
+                  "a scene (.toml), a model (.gltf, .glb, .obj) or a field (.sdf.glsl)")
         ->required();
     c->add_option("-o,--output", o.output,
                   "name.png, or name.exr with layers; name_####.png with --frames")

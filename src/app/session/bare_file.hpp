@@ -8,6 +8,7 @@
 
 #include "app/session/field_prober.hpp"
 #include "base/error.hpp"
+#include "import/model_library.hpp"
 
 namespace vitrine {
 
@@ -16,7 +17,10 @@ bool isBareFile(const std::filesystem::path& file);
 
 /// The text of a scene in the file's folder that shows it on a plinth in good light. Nothing, with
 /// diagnostics, if the file cannot be read. `prober` finds the bounds of a field that has none.
-std::optional<std::string> sceneAround(const std::filesystem::path& file, FieldProber& prober,
-                                       Diagnostics& diagnostics);
+/// A model in metres (.gltf, .glb) keeps its size and its own materials; the plinth, the floor and
+/// the camera fit themselves to it. If it brings lights, they replace the sun; its cameras come
+/// after the plinth's own. `library` keeps the model for importModels().
+std::optional<std::string> sceneAround(const std::filesystem::path& file, ModelLibrary& library,
+                                       FieldProber& prober, Diagnostics& diagnostics);
 
 }  // namespace vitrine

@@ -8,6 +8,7 @@
 #include "app/session/bare_file.hpp"
 #include "base/text.hpp"
 #include "frame/check_snippets.hpp"
+#include "import/import_models.hpp"
 #include "scene/parse.hpp"
 #include "scene/pose.hpp"
 
@@ -16,16 +17,18 @@ namespace vitrine {
 LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                     FieldProber& prober, Diagnostics& diagnostics) {
     LoadedScene loaded;
+    ModelLibrary library;
     if (isBareFile(file)) {
-        const auto text = sceneAround(file, prober, diagnostics);
+        const auto text = sceneAround(file, library, prober, diagnostics);
         if (!text) return loaded;
         loaded.scene = parseScene(*text, file.string(), overrides, diagnostics);
     } else if (endsWith(file.string(), ".toml")) {
         loaded.scene = loadScene(file, overrides, diagnostics);
     } else {
         throw InputError({file.string()},
-                         "not a scene (.toml), a model (.obj) or a field (.sdf.glsl)");
+                         "not a scene (.toml), a model (.gltf, .glb, .obj) or a field (.sdf.glsl)");
     }
+    importModels(loaded.scene, library, diagnostics);
     loaded.assets = loadAssets(loaded.scene, diagnostics);
     prober.measure(loaded.scene, loaded.assets, diagnostics);
     loaded.packed = packScene(loaded.scene, loaded.assets, diagnostics);
