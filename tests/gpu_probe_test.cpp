@@ -182,7 +182,7 @@ TEST_F(GpuProbe, WithoutBoundsAndEnd) {
     for (const auto& [body, message] :
          {std::pair{"p.y", "the field has no end: its surface reaches farther than 512 m"},
           std::pair{"1.0", "the field has no bounds, and none were found: it is nowhere zero"},
-          std::pair{"nothing(p)", "nothing"}}) {
+          std::pair{"p", "test.sdf.glsl:1:"}}) {
         Diagnostics diagnostics;
         EXPECT_EQ(prober.measure(parse(std::string("float sdf(vec3 p) { return ") + body + "; }"),
                                  {}, diagnostics),

@@ -122,7 +122,7 @@ TEST(Compare, LinearPicturesByTheirLight) {
 
 TEST(Compare, SrgbFromLinearIsTheStandardsCurve) {
     ImageRgba32f image(6, 1);
-    const float values[6] = {-1, 0, 0.0031308f, 0.2140411f, 1, 7};
+    const float values[6] = {-1, 0, 0.0031308f, 0.2158605f, 1, 7};
     const int expected[6] = {0, 0, 10, 128, 255, 255};
     for (int x = 0; x < 6; ++x) image.at(x, 0)[0] = image.at(x, 0)[3] = values[x];
     const ImageRgba8 srgb = srgbFromLinear(image);
