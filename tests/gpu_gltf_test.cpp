@@ -242,6 +242,21 @@ TEST_F(GltfPictureTest, AMirroredNodeIsAMirroredMesh) {
     }
 }
 
+TEST_F(GltfPictureTest, TheIncludingNodeScalesAndMirrors) {
+    // Seen from the front only, so that a reflection that forgets to turn triangles shows nothing.
+    Mesh ball = withParallels(makeSphere(0.5f, 24)), large = mirrored(ball);
+    for (glm::vec3& p : large.positions) p *= 1.5f;
+    json material = textured();
+    material["doubleSided"] = false;
+    const ImageRgba8 expected = draw(modelOf(large, material));
+    write("ball.glb", modelOf(ball, material).glb());
+    expectSame(draw("[[node]]\ninclude = \"ball.glb\"\nscale = [-1.5, 1.5, 1.5]\n"), expected);
+    expectSame(draw("[[node]]\nname = \"up\"\nscale = -1.5\n[[node]]\nparent = \"up\"\n"
+                    "include = \"ball.glb\"\nrotate = [180, 0, 0]\n"),
+               expected);
+    expectDifferent(draw("[[node]]\ninclude = \"ball.glb\"\n"), expected);
+}
+
 TEST_F(GltfPictureTest, TangentsByFormulaByFileAndByTriangleAgree) {
     const Mesh sphere = makeSphere(1, 48);
     const ImageRgba8 given = draw(modelOf(withParallels(sphere), textured()), View::kNormal);

@@ -83,8 +83,11 @@ Barrier loadBarrier(uvec4 record, Ray ray) {
 #endif
         float area = length(cross(edge1, edge2));
         vec2 perMetre = area > 0.0 ? sqrt(abs(uvAreas) / area) : vec2(0.0);
-        footprints = 2.0 * (ray.radius + frame.cameraEye.w * t) * perMetre /
-                     max(0.1, abs(dot(ray.direction, normal)));
+#if HAS_TEXTURES
+        footprints = textureFootprint(ray.radius + frame.cameraEye.w * t,
+                                      max(0.1, abs(dot(ray.direction, normal)))) *
+                     perMetre;
+#endif
     }
     vec4 list = fetchTable(instance.materials);
     part = clamp(part, 0, int(list.y) - 1);
