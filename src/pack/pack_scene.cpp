@@ -212,7 +212,7 @@ class Packer {
             if (!isUsablePlace(world[i])) {
                 // What moves may be elsewhere when its time comes.
                 if (moved.empty()) moved = movedNodes(scene_);
-                if (!moved[i])
+                if (!moved[i] || !(glm::length(glm::vec3(world[i][3])) <= 1e18f))
                     diagnostics_.error(
                         node.where,
                         fmt::format("with its parents, node '{}' is scaled or moved too far",

@@ -49,6 +49,13 @@ void apply(const AnimationTrack& track, double time, Scene& scene) {
         scene.cameras[target.index].fov = 0;
 }
 
+/// Not flattened, but moved or scaled out of all bounds: a mistake, of which pack/ tells.
+bool isTooFar(const glm::mat4& world) {
+    for (int column = 0; column < 4; ++column)
+        if (!(glm::length(glm::vec3(world[column])) <= 1e18f)) return true;
+    return false;
+}
+
 /// Cameras, lights and visibility of what stands on nodes that move.
 void applyPlaces(const Scene& rest, Scene& posed) {
     const std::vector<bool> moved = movedNodes(rest);
@@ -65,7 +72,8 @@ void applyPlaces(const Scene& rest, Scene& posed) {
             light.intensity = 0;
     }
     for (size_t i = 0; i < posed.nodes.size(); ++i)
-        if (moved[i] && !isUsablePlace(world[i])) posed.nodes[i].visible = false;
+        if (moved[i] && !isUsablePlace(world[i]) && !isTooFar(world[i]))
+            posed.nodes[i].visible = false;
 }
 
 }  // namespace
