@@ -57,11 +57,8 @@ double meanOf(const ImageRgba8& image) {
     return sum / count;
 }
 
-TEST_F(AlphaTest, RaysPassHolesAndNothingElse) {
-    const auto image = leaf();
-    test::TestScene scene;
-    scene.add(scene.addMesh(makePlane(1, 1)), scene.addMaterial(masked(image)));
-    const PackedScene packed = scene.pack();
+/// Rays straight down on the middles of the texels of a picture that a plane of half size 1 shows.
+std::vector<QueryRay> raysOnTexels() {
     std::vector<QueryRay> rays;
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x)
@@ -69,28 +66,105 @@ TEST_F(AlphaTest, RaysPassHolesAndNothingElse) {
                              -0.875f + 0.25f * static_cast<float>(y)},
                             0,
                             {0, -1, 0}});
+    return rays;
+}
+
+/// The second coordinates are what the first would be, and the first are nonsense.
+Mesh planeOnSecondUvs() {
+    Mesh plane = makePlane(1, 1);
+    plane.uvs2 = plane.uvs;
+    for (glm::vec2& uv : plane.uvs) uv = {0.3f * uv.y, 0.2f};
+    return plane;
+}
+
+/// Its opacity grows from 0 at x = -1 to 1 at x = 1.
+Mesh planeThatFades() {
+    Mesh plane = makePlane(1, 1);
+    for (const glm::vec2& uv : plane.uvs) plane.colors.emplace_back(1, 1, 1, uv.x);
+    return plane;
+}
+
+void expectStopped(const Context& context, const test::TestScene& scene,
+                   const std::vector<bool>& stopped) {
+    const PackedScene packed = scene.pack();
+    const std::vector<QueryRay> rays = raysOnTexels();
     for (const Backend backend : test::kBackends) {
-        RayQuery query(context(), packed, backend);
+        RayQuery query(context, packed, backend);
         const auto closest = query.closest(rays), any = query.any(rays);
         for (size_t i = 0; i < rays.size(); ++i) {
-            const bool solid = image->pixels[4 * i + 3] > 127;
-            EXPECT_EQ(record::isSurface(closest[i]), solid) << i;
-            EXPECT_EQ(record::isSurface(any[i]), solid) << i;
+            EXPECT_EQ(record::isSurface(closest[i]), stopped[i]) << i;
+            EXPECT_EQ(record::isSurface(any[i]), stopped[i]) << i;
+        }
+    }
+}
+
+TEST_F(AlphaTest, RaysPassHolesAndNothingElse) {
+    const auto image = leaf();
+    std::vector<bool> solid;
+    for (size_t i = 0; i < 64; ++i) solid.push_back(image->pixels[4 * i + 3] > 127);
+    for (const int uvSet : {0, 1}) {
+        SCOPED_TRACE(uvSet);
+        test::TestScene scene;
+        Material m = masked(image);
+        m.baseColorTexture.uvSet = uvSet;
+        scene.add(scene.addMesh(uvSet == 0 ? makePlane(1, 1) : planeOnSecondUvs()),
+                  scene.addMaterial(m));
+        expectStopped(context(), scene, solid);
+    }
+}
+
+TEST_F(AlphaTest, ColoursOfVerticesCutHoles) {
+    std::vector<bool> solid;
+    for (int i = 0; i < 64; ++i) solid.push_back(i % 8 >= 5);  // opacity (i % 8 + 0.5) / 8
+    test::TestScene scene;
+    Material m;
+    m.alphaMode = AlphaMode::kMask;
+    m.alphaCutoff = 0.6f;
+    scene.add(scene.addMesh(planeThatFades()), scene.addMaterial(m));
+    expectStopped(context(), scene, solid);
+}
+
+TEST_F(AlphaTest, ColoursOfVerticesMakeVeils) {
+    test::TestScene scene;
+    Material m;
+    m.baseColor.rgb = glm::vec3(0);
+    m.specular = 0;
+    m.opacity = 0.5f;
+    m.alphaMode = AlphaMode::kBlend;
+    scene.add(scene.addMesh(planeThatFades()), scene.addMaterial(m));
+    scene.setEnvironment(0.8f);
+    Camera& camera = scene.scene.cameras[0];
+    camera.eye = {0, 1.5f, 0};
+    camera.target = {0, 0, 0};
+    camera.up = {0, 0, -1};
+    camera.fov = 40;  // the plane fills the picture
+    for (const Primary primary : {Primary::kRaster, Primary::kTrace}) {
+        PictureRequest r = request(primary, 64);
+        r.width = r.height = 64;
+        const ImageRgba8 image = test::drawPicture(scene.load(), Backend::kAuto, r);
+        for (const int x : {4, 20, 36, 52}) {
+            double mean = 0;
+            for (int i = 0; i < 8 * 64; ++i)
+                mean += test::linearFromSrgb(image.at(x + i % 8, i / 8)[0]) / (8 * 64);
+            const double place = 1.5 * std::tan(20 * kPi / 180) * ((x + 4) / 32.0 - 1);
+            EXPECT_NEAR(mean, 0.8 * (1 - 0.5 * (place + 1) / 2), 0.012) << x;
         }
     }
 }
 
 TEST_F(AlphaTest, LeavesLookTheSameToBothFinders) {
     test::TestScene scene;
-    const int plane = scene.addMesh(makePlane(1, 1));
-    const int leaves = scene.addMaterial(masked(leaf()));
+    const int plane = scene.addMesh(makePlane(1, 1)), other = scene.addMesh(planeOnSecondUvs());
+    Material onSecond = masked(leaf());
+    onSecond.baseColorTexture.uvSet = 1;
+    const int leaves = scene.addMaterial(masked(leaf())), others = scene.addMaterial(onSecond);
     Material mirror;
     mirror.baseColor.rgb = glm::vec3(0.9f);
     mirror.metallic = 1;
     mirror.roughness = 0;
     scene.add(scene.addMesh(makePlane(5, 5)), scene.addMaterial(mirror));
     for (int i = 0; i < 5; ++i) {
-        Node& node = scene.add(plane, leaves);
+        Node& node = i < 3 ? scene.add(plane, leaves) : scene.add(other, others);
         node.at = {0.3f * static_cast<float>(i) - 0.6f, 0.8f, 0.4f * static_cast<float>(i) - 1};
         node.rotate = {70 + 9 * static_cast<float>(i), 20 * static_cast<float>(i), 10};
         if (i % 2 == 1) node.scale = {-1, 1, 1};

@@ -118,7 +118,8 @@ class GltfPictureTest : public test::GpuTest {
     void write(const std::string& name, const std::string& bytes) const {
         std::ofstream(folder / name, std::ios::binary) << bytes;
     }
-    [[nodiscard]] ImageRgba8 draw(const std::string& nodes, View view = View::kColor) const {
+    [[nodiscard]] ImageRgba8 draw(const std::string& nodes, View view = View::kColor,
+                                  float time = 0) const {
         write("scene.toml", kStage + nodes);
         Diagnostics diagnostics;
         const LoadedScene loaded = loadAll(folder / "scene.toml", {}, diagnostics);
@@ -128,6 +129,7 @@ class GltfPictureTest : public test::GpuTest {
         request.height = 150;
         request.samples = 1;
         request.view = view;
+        request.time = time;
         return test::drawPicture(loaded, Backend::kFragment, request);
     }
     [[nodiscard]] ImageRgba8 draw(const TestModel& model, View view = View::kColor) const {
@@ -240,6 +242,21 @@ TEST_F(GltfPictureTest, AMirroredNodeIsAMirroredMesh) {
     }
 }
 
+TEST_F(GltfPictureTest, TheIncludingNodeScalesAndMirrors) {
+    // Seen from the front only, so that a reflection that forgets to turn triangles shows nothing.
+    Mesh ball = withParallels(makeSphere(0.5f, 24)), large = mirrored(ball);
+    for (glm::vec3& p : large.positions) p *= 1.5f;
+    json material = textured();
+    material["doubleSided"] = false;
+    const ImageRgba8 expected = draw(modelOf(large, material));
+    write("ball.glb", modelOf(ball, material).glb());
+    expectSame(draw("[[node]]\ninclude = \"ball.glb\"\nscale = [-1.5, 1.5, 1.5]\n"), expected);
+    expectSame(draw("[[node]]\nname = \"up\"\nscale = -1.5\n[[node]]\nparent = \"up\"\n"
+                    "include = \"ball.glb\"\nrotate = [180, 0, 0]\n"),
+               expected);
+    expectDifferent(draw("[[node]]\ninclude = \"ball.glb\"\n"), expected);
+}
+
 TEST_F(GltfPictureTest, TangentsByFormulaByFileAndByTriangleAgree) {
     const Mesh sphere = makeSphere(1, 48);
     const ImageRgba8 given = draw(modelOf(withParallels(sphere), textured()), View::kNormal);
@@ -317,6 +334,45 @@ TEST_F(GltfPictureTest, ColoursOfVerticesMultiplyTheMaterials) {
     pbr["baseColorFactor"] = {0.5, 0.8, 0.5, 1};
     expectSame(draw(modelOf(plane, material)), expected);
     expectDifferent(draw(modelOf(makePlane(1, 1), material)), expected);
+}
+
+TEST_F(GltfPictureTest, WhatMovesIsWhereItsKeysPutIt) {
+    const Mesh box = makeBox({0.4f, 0.3f, 0.2f});
+    TestModel model = modelOf(box, textured({}, false));
+    const size_t times = model.addAccessor<float>({0, 1, 2}, "SCALAR", 3);
+    const glm::quat half = glm::angleAxis(glm::radians(50.0f), glm::vec3(0, 1, 0));
+    const size_t turns = model.addAccessor<float>(
+        {0, 0, 0, 1, half.x, half.y, half.z, half.w, 0, 0, 0, 1}, "VEC4", 3);
+    const size_t places = model.addAccessor<float>({-1, 0, 0, 1, 0.5f, 0, -1, 0, 0}, "VEC3", 3);
+    const size_t sizes = model.addAccessor<float>({1, 1, 1, 1, 2, 1, 0, 0, 0}, "VEC3", 3);
+    json& animation = model.json["animations"][0];
+    int channel = 0;
+    for (const auto& [path, values] :
+         {std::pair{"rotation", turns}, {"translation", places}, {"scale", sizes}}) {
+        animation["samplers"].push_back(
+            {{"input", times},
+             {"output", values},
+             {"interpolation", std::string(path) == "scale" ? "STEP" : "LINEAR"}});
+        animation["channels"].push_back(
+            {{"sampler", channel++}, {"target", {{"node", 0}, {"path", path}}}});
+    }
+    write("moving.glb", model.glb());
+    const auto moving = [&](float time) {
+        return draw("[[node]]\ninclude = \"moving.glb\"\n", View::kColor, time);
+    };
+    const auto still = [&](const glm::vec3& at, float degrees, float height) {
+        TestModel other = modelOf(box, textured({}, false));
+        json& node = other.json["nodes"][0];
+        node["translation"] = {at.x, at.y, at.z};
+        node["rotation"] = quaternion(degrees, {0, 1, 0});
+        node["scale"] = {1, height, 1};
+        return draw(other);
+    };
+    expectSame(moving(0), still({-1, 0, 0}, 0, 1));
+    expectSame(moving(0.5f), still({0, 0.25f, 0}, 25, 1));
+    expectSame(moving(1.5f), still({0, 0.25f, 0}, 25, 2));
+    expectSame(moving(2.5f), still({0, 0.25f, 0}, 25, 1));  // two seconds are one round
+    expectDifferent(moving(0), moving(0.5f));
 }
 
 TEST_F(GltfPictureTest, MeshesWithAndWithoutListsStandTogether) {

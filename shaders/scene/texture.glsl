@@ -37,6 +37,14 @@ vec3 levelCoordinates(TextureEntry entry, int level, vec2 uv, float pageSize) {
     return vec3((place.yz + at) / pageSize, place.x);
 }
 
+// How much of a surface a texel may cover where the cone of a pixel has this radius. A pixel seen at
+// a slant covers an ellipse. Its mean width keeps textures sharp, and samples share the work of not
+// flickering (the scale of ray differentials in pbrt, Pharr et al. 2023).
+float textureFootprint(float radius, float cosine) {
+    return 2.0 * radius * inversesqrt(cosine) *
+           max(0.25, inversesqrt(float(max(1, frame.sampling.y))));
+}
+
 // `footprint`: width of the pixel in the texture, as a part of it, along its longer side.
 vec4 sampleTexture(int texture, vec2 uv, float footprint, bool color) {
     TextureEntry entry = fetchTexture(texture);

@@ -208,10 +208,7 @@ Hit loadHit(uvec4 record, Ray ray) {
     hit.behind = position - 2.0 * lift * hit.geometricNormal;
     hit.surface.geometricNormal = hit.geometricNormal;
 #if HAS_TEXTURES
-    // A pixel seen at a slant covers an ellipse. Its mean width keeps textures sharp, and samples
-    // share the work of not flickering (the scale of ray differentials in pbrt, Pharr et al. 2023).
-    geometry.footprint = 2.0 * hit.radius * inversesqrt(cosine) * uvPerMetre *
-                         max(0.25, inversesqrt(float(frame.sampling.y)));
+    geometry.footprint = textureFootprint(hit.radius, cosine) * uvPerMetre;
 #endif
     loadMaterial(hit, instance, geometry);
     hit.way = vec3(1.0);

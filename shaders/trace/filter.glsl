@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What lets rays pass: holes (alpha masks), veils (blend), glass, and backs that are not seen. Reads
-// the materials' numbers and the picture of the base colour; material snippets are not asked.
+// the materials' numbers, the picture of the base colour and the colours of vertices; material
+// snippets are not asked.
 #include "scene/fetch.glsl"
 #include "lib/hit_record.glsl"
 #include "lib/random.glsl"
@@ -22,7 +23,8 @@ struct Barrier {
     bool back;      // the ray comes from behind
 };
 
-vec4 barrierColor(int material, vec2 uv, float footprint) {
+// `footprints`: of the first and the second texture coordinates.
+vec4 barrierColor(int material, vec2 uv, vec2 uv2, vec2 footprints) {
     vec4 color = vec4(fetchTable(material).rgb, fetchTable(material + 3).z);
 #if HAS_TEXTURES
     vec4 slots = fetchTable(material + 3);
@@ -32,9 +34,12 @@ vec4 barrierColor(int material, vec2 uv, float footprint) {
         vec4 a = fetchTable(at);
         vec4 m = fetchTable(at + 1);
         vec4 b = fetchTable(at + 2);
-        float scale = sqrt(abs(m.x * m.w - m.y * m.z));
+        bool second = a.z > 0.5;  // set of coordinates
+        float footprint =
+            (second ? footprints.y : footprints.x) * sqrt(abs(m.x * m.w - m.y * m.z));
+        vec2 place = mat2(m.xy, m.zw) * (second ? uv2 : uv) + b.xy;
         if (int(a.x) == VITRINE_SLOT_BASE_COLOR)
-            color *= sampleTexture(int(a.y), mat2(m.xy, m.zw) * uv + b.xy, footprint * scale, true);
+            color *= sampleTexture(int(a.y), place, footprint, true);
     }
 #endif
     return color;
@@ -46,7 +51,9 @@ Barrier loadBarrier(uvec4 record, Ray ray) {
     int part = int(record.y);
     vec3 normal = unpackNormal(record.z);
     vec2 uv = vec2(0.0);
-    float footprint = 0.0;
+    vec2 second = vec2(0.0);
+    vec2 footprints = vec2(0.0);
+    vec4 vertexColor = vec4(1.0);
     if (instance.kind == VITRINE_KIND_MESH) {
         uvec4 triangle = fetchTriangle(instance.parameters + int(record.y));
         Vertex a = fetchVertex(int(triangle.x));
@@ -62,16 +69,31 @@ Barrier loadBarrier(uvec4 record, Ray ray) {
         normal = normalize(normal);
         vec2 uv1 = b.uv - a.uv;
         vec2 uv2 = c.uv - a.uv;
+        vec2 uvAreas = vec2(uv1.x * uv2.y - uv1.y * uv2.x, 0.0);
+#if HAS_VERTEX_EXTRAS
+        VertexExtras extraA = fetchVertexExtras(instance, int(triangle.x));
+        VertexExtras extraB = fetchVertexExtras(instance, int(triangle.y));
+        VertexExtras extraC = fetchVertexExtras(instance, int(triangle.z));
+        second = (1.0 - vw.x - vw.y) * extraA.uv2 + vw.x * extraB.uv2 + vw.y * extraC.uv2;
+        vertexColor =
+            (1.0 - vw.x - vw.y) * extraA.color + vw.x * extraB.color + vw.y * extraC.color;
+        uv1 = extraB.uv2 - extraA.uv2;
+        uv2 = extraC.uv2 - extraA.uv2;
+        uvAreas.y = uv1.x * uv2.y - uv1.y * uv2.x;
+#endif
         float area = length(cross(edge1, edge2));
-        float perMetre = area > 0.0 ? sqrt(abs(uv1.x * uv2.y - uv1.y * uv2.x) / area) : 0.0;
-        footprint = 2.0 * (ray.radius + frame.cameraEye.w * t) * perMetre /
-                    max(0.1, abs(dot(ray.direction, normal)));
+        vec2 perMetre = area > 0.0 ? sqrt(abs(uvAreas) / area) : vec2(0.0);
+#if HAS_TEXTURES
+        footprints = textureFootprint(ray.radius + frame.cameraEye.w * t,
+                                      max(0.1, abs(dot(ray.direction, normal)))) *
+                     perMetre;
+#endif
     }
     vec4 list = fetchTable(instance.materials);
     part = clamp(part, 0, int(list.y) - 1);
     int material = frame.tables.y +
                    int(fetchTable(instance.materials + part).x) * VITRINE_MATERIAL_TEXELS;
-    vec4 color = barrierColor(material, uv, footprint);
+    vec4 color = vertexColor * barrierColor(material, uv, second, footprints);
     vec4 c = fetchTable(material + 2);
     vec4 e = fetchTable(material + 4);
     vec4 f = fetchTable(material + 5);

@@ -9,10 +9,13 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "gltf/pose.hpp"
+#include "import/model_animation.hpp"
 #include "import/model_material.hpp"
 #include "import/model_mesh.hpp"
 #include "import/model_names.hpp"
 #include "scene/import_overrides.hpp"
+#include "scene/place.hpp"
+#include "scene/pose.hpp"
 #include "scene/references.hpp"
 
 namespace vitrine {
@@ -20,6 +23,8 @@ namespace {
 
 /// Nodes that all models of a scene together may bring: a file can be included many times.
 constexpr size_t kMaxNodes = 1u << 18;
+/// And numbers of their animations.
+constexpr size_t kMaxKeyNumbers = 1u << 25;
 
 /// A file and what of it is in the scene already.
 struct ImportedFile {
@@ -58,7 +63,6 @@ class Importer {
         applyOverrides(false);
         checkImportedReferences(scene_, diagnostics_);
         checkPlaces(nodes);
-        for (const Attached& attached : attached_) place(attached);
         applyOverrides(true);
         dropDefaultCamera();
     }
@@ -226,15 +230,65 @@ class Importer {
         checkParts(root, *file);
         const Node parent = root;  // adding nodes moves it
         std::vector<std::string> names(model.nodes.size());
+        std::vector<std::optional<size_t>> sceneNode(model.nodes.size());
         includes_.push_back({reference, scene_.nodes.size(), 0});
         for (const int i : order) {
             const GltfNode& node = model.nodes[static_cast<size_t>(i)];
             const std::string& up =
                 node.parent == kNoIndex ? parent.name : names[static_cast<size_t>(node.parent)];
+            sceneNode[static_cast<size_t>(i)] = scene_.nodes.size();
             names[static_cast<size_t>(i)] =
                 addNode(*file, node, parent, up.empty() ? parent.name : up);
         }
         includes_.back().end = scene_.nodes.size();
+        animate(model, parent, sceneNode);
+    }
+
+    /// Adds the tracks of the animation that plays.
+    void animate(const GltfModel& model, const Node& root,
+                 const std::vector<std::optional<size_t>>& sceneNode) {
+        const int number = animationOf(model, root);
+        if (number == kNoIndex) return;
+        const GltfAnimation& animation = model.animations[static_cast<size_t>(number)];
+        keyNumbers_ += sizeOf(animation);
+        if (keyNumbers_ > kMaxKeyNumbers) {
+            diagnostics_.error(root.include.where,
+                               "the animations of the scene's models are too long together");
+            return;
+        }
+        for (AnimationTrack& track : tracksOf(animation, sceneNode, root.include.where))
+            scene_.animations.push_back(std::move(track));
+    }
+
+    /// The one that a node of the scene chooses of its model.
+    int animationOf(const GltfModel& model, const Node& root) {
+        std::vector<std::string> names;
+        for (const GltfAnimation& animation : model.animations) names.push_back(animation.name);
+        const std::string& wanted = root.animation.name;
+        const auto found = std::find(names.begin(), names.end(), wanted);
+        if (found != names.end()) return static_cast<int>(found - names.begin());
+        if (!wanted.empty()) {
+            if (wanted != "none")
+                diagnostics_.error(root.animation.where,
+                                   fmt::format("'{}' has no animation '{}'{}", root.include.name,
+                                               wanted, didYouMean(wanted, names)));
+            return kNoIndex;
+        }
+        const int first = firstAnimation(model);
+        if (first == kNoIndex || names.size() == 1) return first;
+        constexpr size_t kMostNames = 12;
+        const std::string playing = names[static_cast<size_t>(first)];
+        names.erase(names.begin() + first);
+        const size_t unnamed = names.size() - std::min(names.size(), kMostNames);
+        names.resize(names.size() - unnamed);
+        diagnostics_.warning(
+            root.include.where,
+            printable(fmt::format(
+                "'{}' has more than one animation: '{}' plays, and not '{}'{}; choose with "
+                "animation = \"NAME\"",
+                root.include.name, playing, fmt::join(names, "', '"),
+                unnamed == 0 ? "" : fmt::format(" and {} more", unnamed))));
+        return first;
     }
 
     /// Parts that a node names must be materials of its model.
@@ -312,13 +366,14 @@ class Importer {
         if (attached.camera != kNone || attached.light != kNone) attached_.push_back(attached);
     }
 
-    /// Whose place in the world no floats can express is not drawn.
+    /// Whose place in the world no floats can express is not drawn. What moves may come from there.
     void checkPlaces(size_t firstImported) {
         world_ = worldFromNodes(scene_);
+        const std::vector<bool> moved = movedNodes(scene_);
         for (const Included& included : includes_) {
             size_t skipped = 0;
             for (size_t i = std::max(included.first, firstImported); i < included.end; ++i)
-                if (!scene_.nodes[i].shape.empty() && !isUsablePlace(world_[i])) {
+                if (!scene_.nodes[i].shape.empty() && !moved[i] && !isUsablePlace(world_[i])) {
                     scene_.nodes[i].shape = {};
                     scene_.nodes[i].material = {};
                     scene_.nodes[i].parts.clear();
@@ -326,26 +381,22 @@ class Importer {
                 }
             if (skipped > 0) warnSkipped(included.reference, skipped);
         }
+        for (const Attached& attached : attached_) place(attached, moved[attached.node]);
     }
 
-    void place(const Attached& attached) {
+    void place(const Attached& attached, bool moved) {
         const glm::mat4& world = world_[attached.node];
         const bool usable = isUsablePlace(world);
-        const glm::vec3 at(world[3]), forward = -glm::vec3(world[2]), up(world[1]);
-        if (attached.camera != kNone && usable) {
+        if (attached.camera != kNone) {
             Camera& camera = scene_.cameras[attached.camera];
-            camera.eye = at;
-            // Far from the origin, a near target would be lost in rounding.
-            camera.target = at + glm::normalize(forward) * std::max(1.0f, glm::length(at));
-            camera.up = up;
+            camera.node = attached.node;
+            if (usable) placeOn(world, camera);
         }
         if (attached.light != kNone) {
             Light& light = scene_.lights[attached.light];
-            if (!usable) light.intensity = 0;
-            if (usable) {
-                light.at = at;
-                light.direction = glm::normalize(forward);
-            }
+            light.node = attached.node;
+            if (usable) placeOn(world, light);
+            if (!usable && !moved) light.intensity = 0;
         }
     }
 
@@ -362,7 +413,7 @@ class Importer {
     std::vector<Attached> attached_;
     std::vector<Included> includes_;
     std::vector<glm::mat4> world_;
-    size_t added_ = 0;
+    size_t added_ = 0, keyNumbers_ = 0;
 };
 
 }  // namespace

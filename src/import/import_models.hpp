@@ -17,6 +17,9 @@ namespace vitrine {
 /// - A file outside of the scene's folder is an error at the place of its name; what is wrong in a
 ///   file is reported at its place in the file.
 /// - Nodes that their transforms make too flat, small or large to draw are left out with a warning.
+/// - Of a model's animations one plays, over and over: the first, with a warning if there are more,
+///   or the one that the including node names. Cameras and lights go with the nodes they stand on.
+///   A model that is one shape (`mesh = "f.glb"`) stands as it does at rest.
 /// - Light is taken as the file's numbers say, a lux for 1 W/m2 and a candela for 1 W/sr, and is
 ///   not scaled with its node.
 void importModels(Scene& scene, ModelLibrary& library, Diagnostics& diagnostics);

@@ -7,6 +7,7 @@
 #include "import/model_material.hpp"
 #include "import/model_names.hpp"
 #include "mesh/tangents.hpp"
+#include "scene/place.hpp"
 
 namespace vitrine {
 namespace {
@@ -133,8 +134,9 @@ class Joiner {
 
 /// Calls `visit(mesh, worldFromObject)` for each mesh of the scene to show.
 template <class Visit>
-void forEachPlacedMesh(const GltfModel& model, const Visit& visit) {
-    const std::vector<glm::mat4> world = worldFromNodes(model, restPose(model));
+void forEachPlacedMesh(const GltfModel& model, const std::vector<glm::mat4>& parentFromNodes,
+                       const Visit& visit) {
+    const std::vector<glm::mat4> world = worldFromNodes(model, parentFromNodes);
     for (const int node : nodesOfScene(model, model.scene))
         if (const int mesh = model.nodes[static_cast<size_t>(node)].mesh; mesh != kNoIndex)
             visit(model.meshes[static_cast<size_t>(mesh)], world[static_cast<size_t>(node)]);
@@ -161,20 +163,21 @@ std::optional<ModelMesh> joinMesh(const GltfModel& model, const GltfMesh& mesh) 
 
 std::optional<ModelMesh> joinScene(const GltfModel& model, size_t& skipped) {
     Joiner joiner(model);
-    forEachPlacedMesh(model, [&](const GltfMesh& mesh, const glm::mat4& worldFromObject) {
+    const auto visit = [&](const GltfMesh& mesh, const glm::mat4& worldFromObject) {
         if (!isUsablePlace(worldFromObject)) {
             ++skipped;
             return;
         }
         for (const GltfPrimitive& primitive : mesh.primitives)
             joiner.add(primitive, &worldFromObject);
-    });
+    };
+    forEachPlacedMesh(model, restPose(model), visit);
     return joiner.finish();
 }
 
 MeshSize sizeOfScene(const GltfModel& model) {
     MeshSize size;
-    forEachPlacedMesh(model, [&](const GltfMesh& mesh, const glm::mat4&) {
+    forEachPlacedMesh(model, restPose(model), [&](const GltfMesh& mesh, const glm::mat4&) {
         for (const GltfPrimitive& primitive : mesh.primitives) {
             size.vertices += primitive.mesh.positions.size();
             size.triangles += primitive.mesh.triangles.size();
@@ -183,25 +186,16 @@ MeshSize sizeOfScene(const GltfModel& model) {
     return size;
 }
 
-Aabb boundsOfScene(const GltfModel& model) {
+Aabb boundsOfScene(const GltfModel& model, const std::vector<glm::mat4>& parentFromNodes) {
     Aabb box;
-    forEachPlacedMesh(model, [&](const GltfMesh& mesh, const glm::mat4& worldFromObject) {
+    const auto visit = [&](const GltfMesh& mesh, const glm::mat4& worldFromObject) {
         if (!isUsablePlace(worldFromObject)) return;
         for (const GltfPrimitive& primitive : mesh.primitives)
             for (const glm::vec3& p : primitive.mesh.positions)
                 box.grow(glm::vec3(worldFromObject * glm::vec4(p, 1)));
-    });
+    };
+    forEachPlacedMesh(model, parentFromNodes, visit);
     return box;
-}
-
-bool isUsablePlace(const glm::mat4& worldFromObject) {
-    const glm::mat4 inverse = glm::inverse(worldFromObject);
-    for (int column = 0; column < 4; ++column)
-        for (const glm::mat4* m : {&worldFromObject, &inverse}) {
-            const glm::vec3 v((*m)[column]);
-            if (!isFinite(v) || glm::length(v) > kMaxCoordinate) return false;
-        }
-    return true;
 }
 
 }  // namespace vitrine

@@ -34,10 +34,7 @@ struct MeshSize {
 };
 MeshSize sizeOfScene(const GltfModel& model);
 
-/// The box around all of the scene to show, by its vertices.
-Aabb boundsOfScene(const GltfModel& model);
-
-/// True if the matrix and its inverse are finite and of a size that floats can work with.
-bool isUsablePlace(const glm::mat4& worldFromObject);
+/// The box around all of the scene to show, by its vertices, with its nodes in a pose.
+Aabb boundsOfScene(const GltfModel& model, const std::vector<glm::mat4>& parentFromNodes);
 
 }  // namespace vitrine

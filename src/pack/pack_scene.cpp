@@ -13,6 +13,8 @@
 #include "pack/check_animations.hpp"
 #include "pack/pack_light.hpp"
 #include "pack/parameters.hpp"
+#include "scene/place.hpp"
+#include "scene/pose.hpp"
 
 namespace vitrine {
 namespace {
@@ -20,18 +22,6 @@ namespace {
 std::array<glm::vec4, 3> rowsOf(const glm::mat4& m) {
     const glm::mat4 t = glm::transpose(m);
     return {t[0], t[1], t[2]};
-}
-
-/// Scales that multiply down a chain of parents leave the range of floats, where boxes and
-/// inverses are no numbers.
-bool isUsable(const glm::mat4& worldFromObject) {
-    const glm::mat4 inverse = glm::inverse(worldFromObject);
-    for (int column = 0; column < 4; ++column)
-        for (const glm::mat4* m : {&worldFromObject, &inverse}) {
-            const glm::vec3 v((*m)[column]);
-            if (!isFinite(v) || glm::length(v) > kMaxCoordinate) return false;
-        }
-    return true;
 }
 
 glm::vec4 texel(int x, int y = 0, int z = 0, int w = 0) {
@@ -204,6 +194,7 @@ class Packer {
 
     void packInstances() {
         const std::vector<glm::mat4> world = worldFromNodes(scene_);
+        std::vector<bool> moved;  // when it is asked for
         for (size_t i = 0; i < scene_.nodes.size(); ++i) {
             const Node& node = scene_.nodes[i];
             const auto named = shapes_.find(node.shape.name);
@@ -218,11 +209,14 @@ class Packer {
                 diagnostics_.error({field->file}, "the field's bounds are not known");
                 continue;
             }
-            if (!isUsable(world[i])) {
-                diagnostics_.error(
-                    node.where,
-                    fmt::format("with its parents, node '{}' is scaled or moved too far",
-                                node.name));
+            if (!isUsablePlace(world[i])) {
+                // What moves may be elsewhere when its time comes.
+                if (moved.empty()) moved = movedNodes(scene_);
+                if (!moved[i] || !(glm::length(glm::vec3(world[i][3])) <= 1e18f))
+                    diagnostics_.error(
+                        node.where,
+                        fmt::format("with its parents, node '{}' is scaled or moved too far",
+                                    node.name));
                 continue;
             }
             addInstance(node, world[i], named->second);

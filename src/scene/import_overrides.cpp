@@ -45,7 +45,8 @@ std::string problemOf(const Node& node, const Node& before) {
     if (node.scale != before.scale && glm::any(glm::equal(node.scale, glm::vec3(0))))
         return "scale must not be zero";
     if (node.name != before.name) return "the name is the file's";
-    if (node.include.name != before.include.name) return "an include stands in a scene file only";
+    if (node.include.name != before.include.name || node.animation.name != before.animation.name)
+        return "an include and its animation stand in a scene file only";
     return "";
 }
 
@@ -77,8 +78,19 @@ void assign(std::vector<T>& objects, const ImportKey& at, const OptionTable<T>& 
     readTable(table, fmt::format("[{}.{}]", at.section, at.name), options, {}, *found, diagnostics);
     if constexpr (std::is_same_v<T, Node>)
         if (at.key == "rotate") found->orientation.reset();
+    if constexpr (std::is_same_v<T, Light>)
+        if (at.key == "at" || at.key == "direction") found->node.reset();
     const std::string problem = problemOf(*found, before);
     if (!problem.empty()) diagnostics.error(where, problem);
+}
+
+/// What is given is not animated.
+void stop(Scene& scene, const ImportKey& at) {
+    const std::string key = at.key == "rotate" ? kOrientationKey : at.key;
+    std::erase_if(scene.animations, [&](const AnimationTrack& track) {
+        return track.target.object == AnimationTarget::Object::kNode && track.target.key == key &&
+               scene.nodes[track.target.index].name == at.name;
+    });
 }
 
 }  // namespace
@@ -105,9 +117,10 @@ void applyImportOverride(Scene& scene, const std::string& assignment, Diagnostic
         diagnostics.error(where, "write it as section.NAME.key=value");
     else if (at->section == "material")
         assign(scene.materials, *at, materialOptions(), assignment, diagnostics);
-    else if (at->section == "node")
+    else if (at->section == "node") {
         assign(scene.nodes, *at, nodeOptions(), assignment, diagnostics);
-    else if (at->section == "light")
+        stop(scene, *at);
+    } else if (at->section == "light")
         assign(scene.lights, *at, lightOptions(), assignment, diagnostics);
     else
         diagnostics.error(where, fmt::format("of a model, only materials, nodes and lights can be "

@@ -78,6 +78,28 @@ TEST_F(Include, AddsEverythingButTheTitle) {
     EXPECT_EQ(scene.nodes[1].shape.name, "s") << "no file";
 }
 
+TEST_F(Include, FilesThatItNamesAreBesideIt) {
+    write("top.toml", "[scene]\ninclude = [\"parts/a.toml\"]\n");
+    write("parts/a.toml",
+          "[scene]\ninclude = [\"deep/b.toml\"]\n[environment]\nsky = \"x.hdr\"\n"
+          "[[node]]\nname = \"near\"\ninclude = \"near.glb\"\n");
+    write("parts/deep/b.toml",
+          "[[node]]\nname = \"deep\"\ninclude = \"../../far.glb\"\nscale = [-2, 2, 2]\n"
+          "[shape.s]\nsdf = \"s.sdf.glsl\"\n[material.m]\nnormal_texture = \"n.png\"\n"
+          "sheen_color_texture = \"../sheen.png\"\n");
+    const Scene scene = load();
+    EXPECT_EQ(problems_.text(), "");
+    EXPECT_EQ(scene.environment.picture.name, "parts/x.hdr");
+    EXPECT_EQ(scene.nodes.at(0).include.name, "parts/near.glb");
+    EXPECT_EQ(scene.nodes.at(1).include.name, "far.glb");
+    EXPECT_EQ(scene.nodes[1].scale, glm::vec3(-2, 2, 2));
+    EXPECT_EQ(scene.shapes.at(0).sdf.name, "parts/deep/s.sdf.glsl");
+    EXPECT_EQ(scene.materials.at(0).normalTexture.file.name, "parts/deep/n.png");
+    EXPECT_EQ(scene.materials[0].sheenColorTexture.file.name, "parts/sheen.png");
+    EXPECT_EQ(load({"environment.sky=\"y.hdr\""}).environment.picture.name, "y.hdr");
+    EXPECT_EQ(load({"node.near.include=\"y.glb\""}).nodes.at(0).include.name, "y.glb");
+}
+
 TEST_F(Include, FilesThatSetNamesAreTheScenesOwn) {
     write("top.toml", "[scene]\ninclude = [\"parts/a.toml\"]\n");
     write("parts/a.toml", "[shape.s]\nmesh = \"a.obj\"\n");

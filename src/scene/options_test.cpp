@@ -174,7 +174,8 @@ TEST(Options, EveryRowOfListedSectionsReachesItsMember) {
     checkTable<Node>(nodeOptions(), {"[[node]]\n",
                                      "",
                                      [](const Scene& s) { return s.nodes.at(1); },
-                                     {{"material", "shape = \"other\"\n"}}});
+                                     {{"material", "shape = \"other\"\n"},
+                                      {"animation", "include = \"other.glb\"\n"}}});
 }
 
 TEST(Options, EveryRowOfNamedSectionsReachesItsMember) {

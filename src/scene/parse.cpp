@@ -165,7 +165,7 @@ class SceneParser {
                             text->get()));
             return false;
         }
-        environment.picture = {text->get(), placeOf(sky)};
+        environment.picture = {files_.fromSceneFolder(text->get(), placeOf(sky)), placeOf(sky)};
         return true;
     }
 
@@ -293,11 +293,14 @@ class SceneParser {
         }
         if (!node.shape.empty() && !node.include.empty())
             diagnostics_.error(node.include.where, "give shape or include, not both");
+        if (node.include.empty())
+            refuse(table, "animation", "animation has no effect: the node includes no model");
         for (int axis = 0; axis < 3; ++axis)
             if (node.scale[axis] == 0) {
                 diagnostics_.error(placeOf(*table.get("scale")), "scale must not be zero");
                 node.scale = glm::vec3(1);
             }
+        relocate(nodeOptions(), node);
         scene_.nodes.push_back(node);
     }
 

@@ -2,8 +2,10 @@
 #include "scene/pose.hpp"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <unordered_map>
 
+#include "scene/place.hpp"
 #include "scene/target.hpp"
 
 namespace vitrine {
@@ -25,6 +27,8 @@ void apply(const AnimationTrack& track, double time, Scene& scene) {
     using Object = AnimationTarget::Object;
     const AnimationTarget& target = track.target;
     const glm::vec4 value = sampleTrack(track, time);
+    for (int i = 0; i < 4; ++i)
+        if (!std::isfinite(value[i])) return;  // a spline between far values
     if (target.object == Object::kNode && target.key == kOrientationKey) {
         scene.nodes[target.index].orientation = glm::quat(value.w, value.x, value.y, value.z);
         return;
@@ -45,25 +49,31 @@ void apply(const AnimationTrack& track, double time, Scene& scene) {
         scene.cameras[target.index].fov = 0;
 }
 
-void hideWhatHasNoSize(Scene& scene) {
-    constexpr float kNothing = 1e-12f;  // its inverse would leave the range of numbers
-    std::set<std::string> hidden;
-    for (Node& node : scene.nodes) {
-        const glm::vec3 size = glm::abs(node.scale);
-        if (std::min({size.x, size.y, size.z}) >= kNothing) continue;
-        node.scale = glm::vec3(1);
-        node.visible = false;
-        if (!node.name.empty()) hidden.insert(node.name);
+/// Not flattened, but moved or scaled out of all bounds: a mistake, of which pack/ tells.
+bool isTooFar(const glm::mat4& world) {
+    for (int column = 0; column < 4; ++column)
+        if (!(glm::length(glm::vec3(world[column])) <= 1e18f)) return true;
+    return false;
+}
+
+/// Cameras, lights and visibility of what stands on nodes that move.
+void applyPlaces(const Scene& rest, Scene& posed) {
+    const std::vector<bool> moved = movedNodes(rest);
+    if (std::find(moved.begin(), moved.end(), true) == moved.end()) return;
+    const std::vector<glm::mat4> world = worldFromNodes(posed);
+    for (Camera& camera : posed.cameras)
+        if (camera.node && moved[*camera.node] && isUsablePlace(world[*camera.node]))
+            placeOn(world[*camera.node], camera);
+    for (Light& light : posed.lights) {
+        if (!light.node || !moved[*light.node]) continue;
+        if (isUsablePlace(world[*light.node]))
+            placeOn(world[*light.node], light);
+        else
+            light.intensity = 0;
     }
-    // Parents may come after their children: until nothing new is found.
-    for (size_t before = 0; before != hidden.size();) {
-        before = hidden.size();
-        for (Node& node : scene.nodes) {
-            if (hidden.count(node.parent.name) == 0) continue;
-            node.visible = false;
-            if (!node.name.empty()) hidden.insert(node.name);
-        }
-    }
+    for (size_t i = 0; i < posed.nodes.size(); ++i)
+        if (moved[i] && !isUsablePlace(world[i]) && !isTooFar(world[i]))
+            posed.nodes[i].visible = false;
 }
 
 }  // namespace
@@ -71,6 +81,7 @@ void hideWhatHasNoSize(Scene& scene) {
 Scene poseScene(const Scene& scene, double time) {
     Scene posed = scene;
     for (const AnimationTrack& track : scene.animations) apply(track, time, posed);
+    applyPlaces(scene, posed);
     for (size_t i = 0; i < posed.cameras.size(); ++i)
         if (!problemOf(posed.cameras[i]).empty()) posed.cameras[i] = scene.cameras[i];
     for (size_t i = 0; i < posed.lights.size(); ++i) {
@@ -78,8 +89,40 @@ Scene poseScene(const Scene& scene, double time) {
         if (glm::length(light.direction) < 1e-6f) light.direction = scene.lights[i].direction;
         light.innerAngle = std::min(light.innerAngle, light.outerAngle);
     }
-    hideWhatHasNoSize(posed);
     return posed;
+}
+
+std::vector<bool> movedNodes(const Scene& scene) {
+    enum class State : char { kUnknown, kStill, kMoved };
+    std::vector<State> states(scene.nodes.size(), State::kUnknown);
+    for (const AnimationTrack& track : scene.animations)
+        if (track.target.object == AnimationTarget::Object::kNode)
+            states[track.target.index] = State::kMoved;
+    std::unordered_map<std::string, size_t> indexOf;
+    for (size_t i = 0; i < scene.nodes.size(); ++i) indexOf[scene.nodes[i].name] = i;
+    indexOf.erase("");
+    std::vector<size_t> chain;
+    for (size_t start = 0; start < scene.nodes.size(); ++start) {
+        // Up to the first ancestor of which it is known; what is being asked about counts as still,
+        // so that a circle in a scene made by code ends.
+        chain.clear();
+        State state = State::kStill;
+        for (size_t at = start;;) {
+            if (states[at] != State::kUnknown) {
+                state = states[at];
+                break;
+            }
+            states[at] = State::kStill;
+            chain.push_back(at);
+            const auto parent = indexOf.find(scene.nodes[at].parent.name);
+            if (parent == indexOf.end()) break;
+            at = parent->second;
+        }
+        for (const size_t i : chain) states[i] = state;
+    }
+    std::vector<bool> moved(states.size());
+    for (size_t i = 0; i < states.size(); ++i) moved[i] = states[i] == State::kMoved;
+    return moved;
 }
 
 }  // namespace vitrine

@@ -191,7 +191,8 @@ std::string sceneFormatReference() {
            "materials, textures, perspective cameras and lights (a lux is 1 W/m2, a candela 1 "
            "W/sr).\n"
            "Materials are called FILE/NAME, all else NODE/NAME. `material` and `parts` replace\n"
-           "materials of the file by their names in it.\n\n"
+           "materials of the file by their names in it. Its first animation plays, over and over,\n"
+           "or the one that `animation` names; see [gltf.md](gltf.md).\n\n"
            "`set = { PARAMETER = VALUE }` gives values to the parameters of an SDF shape, as for\n"
            "materials. `parts = { PART = \"MATERIAL\" }` gives materials to its parts.\n";
     section(out, "[[animation]]", animationOptions());

@@ -74,6 +74,9 @@ struct Camera {
     glm::vec3 up{0, 1, 0};
     float fov = 0;          ///< vertical, degrees; 0: from focalLength
     float focalLength = 0;  ///< millimetres on a sensor 36 mm wide; 0: from fov
+    /// In Scene::nodes: it goes with this node and looks along its -z, and eye, target and up are
+    /// where the node puts them at rest. Of a model.
+    std::optional<size_t> node;
     SourceLocation where;
 
     static constexpr float kDefaultFocalLength = 35;
@@ -82,8 +85,8 @@ struct Camera {
 /// Why nothing can be seen with this camera; "" if it is good.
 std::string problemOf(const Camera& camera);
 
-/// What is around the scene. A gradient: zenith above, horizon, ground below, blended smoothly. Or a
-/// picture. Or an atmosphere with a sun, computed.
+/// What is around the scene. A gradient: zenith above, horizon, ground below, blended smoothly. Or
+/// a picture. Or an atmosphere with a sun, computed.
 struct Environment {
     Color zenith{{0.22f, 0.34f, 0.60f}};
     Color horizon{{0.55f, 0.62f, 0.70f}};
@@ -105,12 +108,13 @@ struct Light {
     glm::vec3 at{0, 4, 0};            ///< all but the sun
     glm::vec3 direction{-1, -2, -1};  ///< sun, spot, rect: the way the light travels
     Color color{{1, 1, 1}};
-    float intensity = 3;   ///< sun: irradiance, W/m2; others: radiant intensity, W/sr
-    float radius = 0;      ///< m; of a sun, degrees; 0: hard shadows
+    float intensity = 3;      ///< sun: irradiance, W/m2; others: radiant intensity, W/sr
+    float radius = 0;         ///< m; of a sun, degrees; 0: hard shadows
     glm::vec3 size{1, 1, 0};  ///< rect: width and height, m; z is not used
-    float innerAngle = 0;  ///< spot: full light within, degrees from the axis
+    float innerAngle = 0;     ///< spot: full light within, degrees from the axis
     float outerAngle = 45;
-    float range = 0;  ///< point, spot: nothing is lit beyond, m; 0: no end
+    float range = 0;             ///< point, spot: nothing is lit beyond, m; 0: no end
+    std::optional<size_t> node;  ///< it goes with this node and shines along its -z; see Camera
     SourceLocation where;
 };
 
@@ -220,7 +224,8 @@ struct Node {
     std::string name;
     Reference parent;
     Reference shape;
-    Reference include;  ///< a .gltf or .glb file whose nodes stand below this one
+    Reference include;    ///< a .gltf or .glb file whose nodes stand below this one
+    Reference animation;  ///< of that file, the one that plays; none: the first
     Reference material;
     std::vector<std::pair<std::string, Reference>> parts;  ///< material by part name
     glm::vec3 at{0};

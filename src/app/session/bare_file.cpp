@@ -8,7 +8,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "gltf/pose.hpp"
-#include "import/model_mesh.hpp"
+#include "import/model_animation.hpp"
 #include "mesh/obj.hpp"
 #include "scene/references.hpp"
 #include "sdf/snippet.hpp"
@@ -92,7 +92,7 @@ std::optional<Exhibit> readModel(const std::filesystem::path& file, ModelLibrary
                                  Diagnostics& diagnostics) {
     const auto model = library.read(file, diagnostics);
     if (model == nullptr) return {};
-    const Aabb box = boundsOfScene(*model);
+    const Aabb box = boundsOverTime(*model);
     if (box.empty()) {
         diagnostics.error({file.string()}, "the model has no triangles to show");
         return {};
