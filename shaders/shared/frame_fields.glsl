@@ -5,6 +5,7 @@ vec4 cameraEye;      // xyz: world space, metres; w: angle of a pixel, radians
 vec4 cameraForward;  // xyz: unit; w: unused
 vec4 cameraRight;    // xyz: half of the image plane's width at distance 1; w: its square
 vec4 cameraUp;       // xyz: half of the image plane's height at distance 1; w: its square
+vec4 lens;           // x: radius, m, 0: a pinhole; y: distance of what is sharp, along the axis, m; z: corners of the opening, 0: round; w: unused
 vec4 background[3];  // rgb radiance towards zenith, horizon and nadir
 vec4 shading;        // x: time, s; y: throughput below which a path ends; z: AO amount; w: AO reach, m
 vec4 display;        // x: exposure factor; y: gamma; z: depth view's scale, m; w: unused

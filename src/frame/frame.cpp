@@ -11,6 +11,21 @@
 namespace vitrine {
 namespace {
 
+/// For as long as it lives all is sharp: data and lines are not blurred.
+class SharpLens {
+  public:
+    explicit SharpLens(FrameBlock& block) : block_(block), radius_(block.lens.x) {
+        block.lens.x = 0;
+    }
+    ~SharpLens() { block_.lens.x = radius_; }
+    SharpLens(const SharpLens&) = delete;
+    SharpLens& operator=(const SharpLens&) = delete;
+
+  private:
+    FrameBlock& block_;
+    float radius_;
+};
+
 // Of a picture of one sample.
 constexpr int kAmbientProbes = 16, kSkyProbes = 4;
 
@@ -60,6 +75,7 @@ void Frame::begin(const FrameRequest& request) {
                         "allows {} a side",
                         width, height, request.ssaa, maxSide_));
     packCamera(request.camera, width, height, block);
+    if (request.samples <= 1) block.lens.x = 0;  // one sample looks through the middle of the lens
     block.shading.x = request.time;
     block.image.w = static_cast<int>(request.view);
     block.path.x = static_cast<int>(request.mode);
@@ -110,8 +126,13 @@ void Frame::drawSample() {
     context_.block.sampling.x = sample_;
     const glm::vec2 jitter = sampleOffset(sample_, request_.samples);
     context_.block.jitter = glm::vec4(jitter, request_.ssaa, 0);
-    findFirstHits();
-    if (request_.layers && sample_ == 0) layersPass(context_, paths_[0].records, layers_);
+    if (request_.layers && sample_ == 0) {
+        const SharpLens sharp(context_.block);
+        findFirstHits();
+        layersPass(context_, paths_[0].records, layers_);
+    }
+    // A lens has other rays than the rasteriser.
+    if (sample_ > 0 || !request_.layers || context_.block.lens.x > 0) findFirstHits();
     if (!showsRecords(request_.view)) followPaths();
     if (showsRecords(request_.view) || showsCounters(request_.view)) {
         // The records of the camera rays are gone after the bounces; counters need no records.
@@ -124,7 +145,9 @@ void Frame::drawSample() {
 }
 
 void Frame::findFirstHits() {
-    if (request_.primary == Primary::kTrace || !rasterPossible_) {
+    // The rasteriser has one eye; through a lens each pixel looks from a point of its own.
+    const bool pinhole = context_.block.lens.x <= 0;
+    if (request_.primary == Primary::kTrace || !rasterPossible_ || !pinhole) {
         visibilityPass(context_, paths_[0].records);
         return;
     }
@@ -169,6 +192,7 @@ ImageRgba8 Frame::picture() {
         // fit the lines.
         context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
         findFirstHits();
+        const SharpLens sharp(context_.block);
     }
     const glm::ivec4 drawn = context_.block.image;
     context_.block.image.x = request_.width;

@@ -94,6 +94,16 @@ const OptionTable<Camera>& cameraOptions() {
 }
 
 const OptionTable<Environment>& environmentOptions() {
+        {"f_stop",
+         &C::fStop,
+         {0, 1000},
+         "aperture number, focal length over the lens's diameter; 0: a pinhole, all is sharp"},
+        {"focus_distance", &C::focusDistance, kNotNegative,
+         "along the view axis, m: what is sharp; 0: the target"},
+        {"aperture_blades",
+         &C::apertureBlades,
+         {0, 16},
+         "corners of blurred points of light; 0 (or below 3): round"},
     using E = Environment;
     static const OptionTable<E> table{
         {"zenith", &E::zenith, kNotNegative, "radiance from straight above"},

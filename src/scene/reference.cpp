@@ -157,7 +157,14 @@ std::string sceneFormatReference() {
     out << "\nHow the trees of meshes are built. `info FILE --builders` compares the builders,\n"
            "`--view bvh=4` shows a tree.\n";
     section(out, "[[camera]]", cameraOptions());
-    out << "\nThe first camera is used unless `--camera` names another.\n";
+    out << "\nThe first camera is used unless `--camera` names another.\n\n"
+           "With `f_stop` the camera has a thin lens of the diameter focal length / f_stop, in "
+           "true\n"
+           "measures (1 is a metre): a 50 mm lens at f/2 is 25 mm wide. It blurs toys much and a "
+           "tank little, so\na scene that is not built to its true size wants another f_stop. "
+           "With `fov` the focal length is the\none that sees as much. A lens needs `--spp` "
+           "(one sample looks through its middle), and its first hits\nare always traced. EXR "
+           "layers stay sharp.\n";
     section(out, "[environment]", environmentOptions());
     out << "\n`sky = COLOUR` is short for the same zenith, horizon and ground. `sky = "
            "\"FILE.hdr\"` or "

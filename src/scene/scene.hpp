@@ -72,8 +72,11 @@ struct Camera {
     glm::vec3 eye{3, 2, 4};
     glm::vec3 target{0, 0.5f, 0};
     glm::vec3 up{0, 1, 0};
-    float fov = 0;          ///< vertical, degrees; 0: from focalLength
-    float focalLength = 0;  ///< millimetres on a sensor 36 mm wide; 0: from fov
+    float fov = 0;            ///< vertical, degrees; 0: from focalLength
+    float focalLength = 0;    ///< millimetres on a sensor 36 mm wide; 0: from fov
+    float fStop = 0;          ///< focal length over the lens's diameter; 0: a pinhole
+    float focusDistance = 0;  ///< along the view axis, m; 0: to the target
+    int apertureBlades = 0;   ///< corners of the lens's opening; 0: round
     SourceLocation where;
 
     static constexpr float kDefaultFocalLength = 35;
@@ -82,8 +85,8 @@ struct Camera {
 /// Why nothing can be seen with this camera; "" if it is good.
 std::string problemOf(const Camera& camera);
 
-/// What is around the scene. A gradient: zenith above, horizon, ground below, blended smoothly. Or a
-/// picture. Or an atmosphere with a sun, computed.
+/// What is around the scene. A gradient: zenith above, horizon, ground below, blended smoothly. Or
+/// a picture. Or an atmosphere with a sun, computed.
 struct Environment {
     Color zenith{{0.22f, 0.34f, 0.60f}};
     Color horizon{{0.55f, 0.62f, 0.70f}};
@@ -105,10 +108,10 @@ struct Light {
     glm::vec3 at{0, 4, 0};            ///< all but the sun
     glm::vec3 direction{-1, -2, -1};  ///< sun, spot, rect: the way the light travels
     Color color{{1, 1, 1}};
-    float intensity = 3;   ///< sun: irradiance, W/m2; others: radiant intensity, W/sr
-    float radius = 0;      ///< m; of a sun, degrees; 0: hard shadows
+    float intensity = 3;      ///< sun: irradiance, W/m2; others: radiant intensity, W/sr
+    float radius = 0;         ///< m; of a sun, degrees; 0: hard shadows
     glm::vec3 size{1, 1, 0};  ///< rect: width and height, m; z is not used
-    float innerAngle = 0;  ///< spot: full light within, degrees from the axis
+    float innerAngle = 0;     ///< spot: full light within, degrees from the axis
     float outerAngle = 45;
     float range = 0;  ///< point, spot: nothing is lit beyond, m; 0: no end
     SourceLocation where;
