@@ -3,6 +3,7 @@
 // that smooth skies do not band in 8 bits. Views of data other than light pass unchanged.
 #include "scene/frame.glsl"
 #include "lib/color.glsl"
+#include "lib/tone.glsl"
 #include "lib/random.glsl"
 
 uniform sampler2D mean;
@@ -21,7 +22,7 @@ vec4 displayPass(ivec2 pixel) {
     if (view == VITRINE_VIEW_ALBEDO) return vec4(srgbFromLinear(c), 1.0);
     if (!isLight(view)) return vec4(c, 1.0);
     c = max(c, 0.0) * frame.display.x;
-    if (frame.image.z == VITRINE_TONE_FILMIC) c = toneMapFilmic(c);
+    c = toneMap(frame.image.z, c);
     c = pow(srgbFromLinear(c), vec3(1.0 / frame.display.y));
     // Triangular noise of one step of 8 bits, the same in every run.
     uvec4 bits = pcg4d(uvec4(uint(pixel.x), uint(pixel.y), 77u, 0u));

@@ -364,7 +364,8 @@ class Packer {
         }
         b.shading = {0, r.threshold, r.ao, r.aoDistance};
         const float size = out_.worldBox.empty() ? 1.0f : glm::length(out_.worldBox.extent());
-        b.display = {std::exp2(r.exposure), r.gamma, std::min(size, 10.0f), 1};
+        b.display = {std::exp2(r.exposure) * r.exposurePercent / 100, r.gamma,
+                     std::min(size, 10.0f), 1};
         b.image.z = static_cast<int>(r.toneMap);
         b.sampling.w = r.seed;
         b.counts.y = r.marchSteps;

@@ -97,7 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"MisspeltShape", "[shape.a]\nspere = { radius = 1 }\n",
              "t:2:1: error: unknown key 'spere' in [shape.a] (did you mean 'sphere'?)"},
         Case{"MisspeltChoice", "[render]\ntone_map = \"filmc\"\n",
-             "t:2:12: error: tone_map must be one of 'none', 'filmic', not 'filmc' (did you mean "
+             "t:2:12: error: tone_map must be one of 'none', 'filmic', 'aces', 'agx', 'reinhard', "
+             "not 'filmc' (did you mean "
              "'filmic'?)"},
         Case{"UnknownChoice", "[[light]]\ntype = \"lamp\"\n",
              "t:2:8: error: type must be one of 'sun', 'point', 'spot', 'sphere', 'rect', not "

@@ -153,6 +153,11 @@ std::string sceneFormatReference() {
     section(out, "[scene]", sceneOptions());
     out << kIncludes;
     section(out, "[render]", renderOptions());
+    out << "\n`filmic`, the default, has deep blacks and vivid colours (Narkowicz's fit of ACES). "
+           "`aces` is Hill's\nfit with its primaries: bright colours pale, and hues turn a little. "
+           "`agx` (Sobotka) is soft and keeps\nhues best: bright blue goes to white without "
+           "violet. `reinhard` is the plain one of 2002. Middle\ngrey stays about where it is in "
+           "all of them. EXR files hold light before all this.\n";
     section(out, "[bvh]", bvhOptions());
     out << "\nHow the trees of meshes are built. `info FILE --builders` compares the builders,\n"
            "`--view bvh=4` shows a tree.\n";

@@ -39,13 +39,14 @@ struct ParameterValue {
     SourceLocation where;
 };
 
-enum class ToneMap { kNone, kFilmic };
+enum class ToneMap { kNone, kFilmic, kAces, kAgx, kReinhard };
 
 struct RenderSettings {
     int bounces = 2;
     int samples = 1;
     int ssaa = 1;
-    float exposure = 0;  ///< stops
+    float exposure = 0;           ///< stops
+    float exposurePercent = 100;  ///< on top of that
     float gamma = 1;
     ToneMap toneMap = ToneMap::kFilmic;
     float threshold = 0.02f;
