@@ -140,6 +140,12 @@ const OptionTable<Light>& lightOptions() {
         {"at", &L::at, kAnyNumber, "position of all but a sun, m"},
         {"direction", &L::direction, kAnyNumber, "way the light of a sun, spot or rect travels"},
         {"color", &L::color, kNotNegative, "colour"},
+        {"polar",
+         &L::polar,
+         {0, 180},
+         "instead of direction, where the light of a sun or spot comes from: degrees from the "
+         "zenith"},
+        {"azimuth", &L::azimuth, kAnyNumber, "with polar: degrees from +z towards +x"},
         {"intensity", &L::intensity, kNotNegative,
          "sun: irradiance, W/m2; others: W/sr (of a rect, straight ahead)"},
         {"radius", &L::radius, kNotNegative,

@@ -109,6 +109,8 @@ struct Light {
     glm::vec3 at{0, 4, 0};            ///< all but the sun
     glm::vec3 direction{-1, -2, -1};  ///< sun, spot, rect: the way the light travels
     Color color{{1, 1, 1}};
+    float polar = kNoAngle;  ///< sun, spot: where the light comes from, degrees from the zenith
+    float azimuth = 0;       ///< and from +z towards +x; both hold instead of direction
     float intensity = 3;      ///< sun: irradiance, W/m2; others: radiant intensity, W/sr
     float radius = 0;         ///< m; of a sun, degrees; 0: hard shadows
     glm::vec3 size{1, 1, 0};  ///< rect: width and height, m; z is not used
@@ -118,7 +120,14 @@ struct Light {
     SourceLocation where;
 };
 
+    static constexpr float kNoAngle = -1;  ///< polar: not given
+
 enum class TextureWrap { kRepeat, kClamp, kMirror };
+/// The way the light of a sun, spot or rect travels, unit, by its angles or its direction.
+glm::vec3 travelOf(const Light& light);
+/// Gives angles to a light that has a direction; it travels as before.
+void useAngles(Light& light);
+
 
 /// A picture laid over a surface: a file, or pixels that came with a model.
 struct MaterialTexture {
