@@ -26,6 +26,7 @@ const int kDimensionAmbient = 16;  // and 15 more
 const int kDimensionSky = 32;      // and 15 more
 const int kDimensionBounce = 64;   // and one a bounce
 const int kDimensionChoice = 128;  // and one a bounce: of a lobe, and whether the path goes on
+const int kDimensionSubstance = 192;  // and one a bounce; 32 kinds of probes share the points
 const int kDimensionLights = 256;  // and 31 more a light, of which there are 32 kinds
 
 // For what takes one point a sample.

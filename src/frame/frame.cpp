@@ -27,7 +27,7 @@ class SharpLens {
 };
 
 // Of a picture of one sample.
-constexpr int kAmbientProbes = 16, kSkyProbes = 4;
+constexpr int kAmbientProbes = 16, kSkyProbes = 4, kSubstanceProbes = 8;
 
 }  // namespace
 
@@ -79,8 +79,8 @@ void Frame::begin(const FrameRequest& request) {
     block.shading.x = request.time;
     block.image.w = static_cast<int>(request.view);
     block.path.x = static_cast<int>(request.mode);
-    const bool firstHitOnly =
-        request.view == View::kDirect || request.view == View::kShadow || request.view == View::kAo;
+    const bool firstHitOnly = request.view == View::kDirect || request.view == View::kShadow ||
+                              request.view == View::kAo || request.view == View::kThickness;
     block.path.y = firstHitOnly ? 0 : request.bounces;
     block.sampling.y = request.samples;
     block.sampling.w = request.seed;
@@ -110,6 +110,7 @@ void Frame::chooseProbes() {
     const int ambient = reference ? 0 : share(kAmbientProbes);
     block.probes.y = ambient;
     block.probes.z = reference ? 0 : later(ambient);
+    block.probes.w = share(kSubstanceProbes);
     block.sky.w = reference ? 1.0f : 0.0f;
     block.skyTree = glm::ivec4(0);
     if (sky_ == nullptr) return;
@@ -191,8 +192,8 @@ ImageRgba8 Frame::picture() {
         // The bounces have overwritten the records. Through the middles of the pixels, so that they
         // fit the lines.
         context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
-        findFirstHits();
         const SharpLens sharp(context_.block);
+        findFirstHits();
     }
     const glm::ivec4 drawn = context_.block.image;
     context_.block.image.x = request_.width;

@@ -88,6 +88,7 @@ class Packer {
         for (const auto& snippet : geometry_.materialSnippets) {
             out_.hasLayers |= mentions(*snippet, {"clearcoat", "sheenColor"});
             out_.hasTransmission |= mentions(*snippet, {"transmission"});
+            out_.hasSubsurface |= mentions(*snippet, {"subsurface"});
         }
         addMaterial(Material{}, 0, 0, {});  // for nodes that name none
         out_.materialNames.back() = "(default)";
@@ -116,6 +117,9 @@ class Packer {
         materials_.emplace_back(absorptionOf(m), m.transmission);
         materials_.emplace_back(m.clearcoat, m.clearcoatRoughness, 0.0f, 0.0f);
         materials_.emplace_back(m.sheenColor.rgb, m.sheenRoughness);
+        const float subsurface = std::max(m.subsurface, scene_.render.sssAll);
+        out_.hasSubsurface |= subsurface > 0;
+        materials_.emplace_back(subsurface * m.subsurfaceColor.rgb, m.subsurfaceRadius);
     }
 
     static int flagsOf(const Material& m) {

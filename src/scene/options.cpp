@@ -53,6 +53,7 @@ const OptionTable<RenderSettings>& renderOptions() {
         {"threshold", &R::threshold, kUnit, "a path ends when less than this of its light is left"},
         {"ao", &R::ao, {0, 5}, "ambient occlusion by rays: 0 off, 1 natural, up to 5 dramatic"},
         {"ao_distance", &R::aoDistance, kPositive, "reach of ambient occlusion, m"},
+        {"sss_all", &R::sssAll, kUnit, "every material has at least this much subsurface"},
         {"march_steps", &R::marchSteps, {8, 2048}, "most steps of one ray through one field"},
         {"seed", &R::seed, {0, 2147483647}, "start of the random numbers (`--seed` wins)"},
     };
@@ -93,11 +94,6 @@ const OptionTable<Camera>& cameraOptions() {
          &C::focalLength,
          {1, 2000},
          "instead of fov: mm on a 36 mm wide sensor; 35 if neither is given"},
-    };
-    return table;
-}
-
-const OptionTable<Environment>& environmentOptions() {
         {"f_stop",
          &C::fStop,
          {0, 1000},
@@ -108,6 +104,11 @@ const OptionTable<Environment>& environmentOptions() {
          &C::apertureBlades,
          {0, 16},
          "corners of blurred points of light; 0 (or below 3): round"},
+    };
+    return table;
+}
+
+const OptionTable<Environment>& environmentOptions() {
     using E = Environment;
     static const OptionTable<E> table{
         {"zenith", &E::zenith, kNotNegative, "radiance from straight above"},
@@ -139,13 +140,13 @@ const OptionTable<Light>& lightOptions() {
          "kind of light; a sphere is a point light with a size that can be seen"},
         {"at", &L::at, kAnyNumber, "position of all but a sun, m"},
         {"direction", &L::direction, kAnyNumber, "way the light of a sun, spot or rect travels"},
-        {"color", &L::color, kNotNegative, "colour"},
         {"polar",
          &L::polar,
          {0, 180},
          "instead of direction, where the light of a sun or spot comes from: degrees from the "
          "zenith"},
         {"azimuth", &L::azimuth, kAnyNumber, "with polar: degrees from +z towards +x"},
+        {"color", &L::color, kNotNegative, "colour"},
         {"intensity", &L::intensity, kNotNegative,
          "sun: irradiance, W/m2; others: W/sr (of a rect, straight ahead)"},
         {"radius", &L::radius, kNotNegative,
@@ -218,6 +219,11 @@ const OptionTable<Material>& materialOptions() {
         {"sheen_roughness", &M::sheenRoughness, kUnit, "of the cloth's fibres"},
         {"sheen_roughness_texture", TextureMember<M>{&M::sheenRoughnessTexture}, kNone,
          "picture whose alpha multiplies sheen_roughness"},
+        {"subsurface", &M::subsurface, kUnit,
+         "wax, leaves, skin: how much light comes through from behind"},
+        {"subsurface_color", &M::subsurfaceColor, kUnit, "of that light, times base_color"},
+        {"subsurface_radius", &M::subsurfaceRadius, kPositive,
+         "m of the substance that leave 1/e (37 %) of it"},
         {"snippet", FileMember<M>{&M::snippet}, kNone,
          "NAME.mat.glsl with `void material(inout Surface s)`"},
     };

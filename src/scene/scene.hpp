@@ -52,6 +52,7 @@ struct RenderSettings {
     float threshold = 0.02f;
     float ao = 1;
     float aoDistance = 2;
+    float sssAll = 0;  ///< least subsurface of every material
     int marchSteps = 256;
     int seed = 0;
 };
@@ -108,9 +109,9 @@ struct Light {
     LightType type = LightType::kSun;
     glm::vec3 at{0, 4, 0};            ///< all but the sun
     glm::vec3 direction{-1, -2, -1};  ///< sun, spot, rect: the way the light travels
-    Color color{{1, 1, 1}};
     float polar = kNoAngle;  ///< sun, spot: where the light comes from, degrees from the zenith
     float azimuth = 0;       ///< and from +z towards +x; both hold instead of direction
+    Color color{{1, 1, 1}};
     float intensity = 3;      ///< sun: irradiance, W/m2; others: radiant intensity, W/sr
     float radius = 0;         ///< m; of a sun, degrees; 0: hard shadows
     glm::vec3 size{1, 1, 0};  ///< rect: width and height, m; z is not used
@@ -118,16 +119,16 @@ struct Light {
     float outerAngle = 45;
     float range = 0;  ///< point, spot: nothing is lit beyond, m; 0: no end
     SourceLocation where;
-};
 
     static constexpr float kNoAngle = -1;  ///< polar: not given
+};
 
-enum class TextureWrap { kRepeat, kClamp, kMirror };
 /// The way the light of a sun, spot or rect travels, unit, by its angles or its direction.
 glm::vec3 travelOf(const Light& light);
 /// Gives angles to a light that has a direction; it travels as before.
 void useAngles(Light& light);
 
+enum class TextureWrap { kRepeat, kClamp, kMirror };
 
 /// A picture laid over a surface: a file, or pixels that came with a model.
 struct MaterialTexture {
@@ -189,6 +190,10 @@ struct Material {
     float sheenRoughness = 0;
     MaterialTexture sheenColorTexture;
     MaterialTexture sheenRoughnessTexture;  ///< alpha
+
+    float subsurface = 0;              ///< share of light that comes through from behind
+    Color subsurfaceColor{{1, 1, 1}};  ///< of that light, times baseColor
+    float subsurfaceRadius = 0.1f;     ///< m of substance that leave 1/e of it
 
     Reference snippet;  ///< a .mat.glsl file
     std::vector<ParameterValue> set;
