@@ -53,11 +53,3 @@ vec3 toneMapReinhard(vec3 c) {
     float luminance = dot(c, vec3(0.2126, 0.7152, 0.0722));
     return c * ((1.0 + luminance / (white * white)) / (1.0 + luminance));
 }
-
-vec3 toneMap(int curve, vec3 c) {
-    if (curve == VITRINE_TONE_FILMIC) return toneMapFilmic(c);
-    if (curve == VITRINE_TONE_ACES) return toneMapAces(c);
-    if (curve == VITRINE_TONE_AGX) return toneMapAgx(c);
-    if (curve == VITRINE_TONE_REINHARD) return toneMapReinhard(c);
-    return c;
-}

@@ -12,6 +12,19 @@ bool isLight(int view) {
     return view == VITRINE_VIEW_COLOR || view == VITRINE_VIEW_DIRECT || view == VITRINE_VIEW_REFLECTION;
 }
 
+vec3 toneMap(int curve, vec3 c) {
+    bool agx = curve == VITRINE_TONE_AGX;
+    // The dear one in a loop, because the lanes of a CPU skip nothing else.
+    while (agx && mayLoop()) {
+        agx = false;
+        c = toneMapAgx(c);
+    }
+    if (curve == VITRINE_TONE_FILMIC) return toneMapFilmic(c);
+    if (curve == VITRINE_TONE_ACES) return toneMapAces(c);
+    if (curve == VITRINE_TONE_REINHARD) return toneMapReinhard(c);
+    return c;
+}
+
 vec4 displayPass(ivec2 pixel) {
     int size = int(frame.jitter.z);
     vec3 c = vec3(0.0);
