@@ -87,7 +87,7 @@ TEST_F(ShaderDialects, AllVariantsAreAccepted) {
     int compiled = 0;
     ProgramFeatures everything{true, true, true, true};
     everything.layers = everything.transmission = everything.filters = everything.culling = true;
-    everything.sky = true;
+    everything.sky = everything.subsurface = true;
     for (const PassShader& pass : passShaders())
         for (const Target& target : kTargets) {
             if (!entryExists(pass.name, target.stage)) continue;

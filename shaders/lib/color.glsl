@@ -8,13 +8,6 @@ vec3 srgbFromLinear(vec3 c) {
     return mix(high, low, vec3(lessThanEqual(c, vec3(0.0031308))));
 }
 
-// A filmic curve: Narkowicz, "ACES Filmic Tone Mapping Curve" (2015), a fit of the ACES reference
-// rendering transform. Deep blacks, a soft shoulder; the factor keeps middle grey where it was.
-vec3 toneMapFilmic(vec3 c) {
-    c *= 0.8;
-    return (c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14);
-}
-
 // Heat: black, blue, magenta, orange, white; monotone in lightness so that it survives greyscale.
 vec3 heat(float x) {
     x = clamp(x, 0.0, 1.0);

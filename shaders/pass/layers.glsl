@@ -12,7 +12,7 @@ struct Layers {
 Layers layersPass(ivec2 pixel) {
     uvec4 record = texelFetch(records, pixel, 0);
     if (!isSurface(record)) return Layers(uvec4(VITRINE_RECORD_NONE), vec4(0.0), vec4(0.0));
-    Ray ray = cameraRay(pixelPosition(pixel));
+    Ray ray = pixelRay(pixel);
     Hit hit = loadHit(record, ray);
     float depth = recordDistance(record) * dot(ray.direction, frame.cameraForward.xyz);
     return Layers(uvec4(record.xy, uint(hit.material), 0u), vec4(hit.surface.baseColor, 1.0),

@@ -25,6 +25,7 @@ struct Probe {
     vec3 blocked;
     int sky;
     float level;
+    vec3 origin;
 };
 const int kNoSky = -1;
 
@@ -52,7 +53,8 @@ Probe lightProbe(Hit hit, Path path, ivec2 pixel, int light) {
     vec3 answer = answerToLight(hit, path, chosen.direction, chosen.density) * chosen.irradiance;
     if (frame.image.w == VITRINE_VIEW_SHADOW)
         answer = vec3(answer == vec3(0.0) ? 0.0 : 1.0 / float(frame.counts.x));
-    return Probe(chosen.direction, chosen.distance, answer, vec3(0.0), kNoSky, 0.0);
+    return Probe(chosen.direction, chosen.distance, answer, vec3(0.0), kNoSky, 0.0,
+                 hit.rayOrigin);
 }
 
 #if HAS_SKY
@@ -63,7 +65,7 @@ Probe brightProbe(Hit hit, Path path, ivec2 pixel, int index, int count) {
     SkySample chosen = sampleSky(u);
     float density = float(count) * chosen.density;
     vec3 answer = answerToLight(hit, path, chosen.direction, density) / max(density, 1.0e-30);
-    return Probe(chosen.direction, kInfinity, answer, vec3(0.0), kSkyBright, 0.0);
+    return Probe(chosen.direction, kInfinity, answer, vec3(0.0), kSkyBright, 0.0, hit.rayOrigin);
 }
 
 // The sky at the end of a path: first its ambient part, then the bright one.
@@ -82,19 +84,42 @@ Probe missProbe(Path path, int part) {
             level = 0.0;
         }
     }
-    return Probe(path.ray.direction, 0.0, vec3(weight), vec3(weight), part, level);
+    return Probe(path.ray.direction, 0.0, vec3(weight), vec3(weight), part, level, path.ray.origin);
 }
 #endif
 
-Probe ambientProbe(Hit hit, ivec2 pixel, int index, int count) {
+// A length of which a share of exp(-d / radius) are longer than d, by u in [0, 1). A ray of such a
+// length tells of a thickness what is needed of it, on average, without measuring it.
+float scatteredLength(float u, float radius) { return -radius * log(1.0 - u); }
+
+// What the view of thicknesses asks for.
+struct Substance {
+    bool mesh;
+    float radius;  // that leaves 1/e, m
+};
+
+// exp(-thickness / radius) straight below the surface.
+Probe thicknessProbe(Hit hit, Substance below, float u, float share) {
+    float reach = scatteredLength(u, below.radius);
+    vec3 down = -hit.geometricNormal;
+    // Of a mesh, a ray inside meets the other side; a field holds whatever starts in it.
+    if (below.mesh) return Probe(down, reach, vec3(0.0), vec3(share), kNoSky, 0.0, hit.behind);
+    return Probe(down, 1.0e-3 * reach, vec3(share), vec3(0.0), kNoSky, 0.0,
+                 hit.surface.position + reach * down);
+}
+
+Probe ambientProbe(Hit hit, Substance below, ivec2 pixel, int index, int count) {
     Surface s = hit.surface;
     vec3 albedo = ambientAlbedo(s) * s.occlusion;
     if (frame.image.w == VITRINE_VIEW_AO) albedo = vec3(1.0);
     albedo /= float(count);
     float ao = frame.shading.z;
     int sampleIndex = frame.sampling.x * count + index;
-    vec3 local = sampleCosine(random2(pixel, sampleIndex, frame.sampling.y * count,
-                                      kDimensionAmbient + frame.sampling.z, frame.sampling.w));
+    vec2 u = random2(pixel, sampleIndex, frame.sampling.y * count,
+                     kDimensionAmbient + frame.sampling.z, frame.sampling.w);
+    if (frame.image.w == VITRINE_VIEW_THICKNESS)
+        return thicknessProbe(hit, below, u.x, 1.0 / float(count));
+    vec3 local = sampleCosine(u);
 #if !HAS_SKY
     if (ao <= 0.0) local = vec3(0.0, 0.0, 1.0);
 #endif
@@ -102,7 +127,7 @@ Probe ambientProbe(Hit hit, ivec2 pixel, int index, int count) {
     orthonormalBasis(s.normal, tangent, bitangent);
     vec3 direction = local.x * tangent + local.y * bitangent + local.z * s.normal;
     Probe probe = Probe(direction, ao > 0.0 ? frame.shading.w : 0.0, albedo, albedo * (1.0 - ao),
-                        kSkyAmbient, 0.0);
+                        kSkyAmbient, 0.0, hit.rayOrigin);
     if (frame.image.w == VITRINE_VIEW_AO) {
         probe.sky = kNoSky;
         return probe;
@@ -117,6 +142,36 @@ Probe ambientProbe(Hit hit, ivec2 pixel, int index, int count) {
 #endif
     return probe;
 }
+
+#if HAS_SUBSURFACE
+// Light that comes through the substance (Barre-Brisebois & Bouchard, Approximating Translucency for a
+// Fast, Cheap and Convincing Subsurface Scattering Look, GDC 2011): most of it goes straight on, a
+// part everywhere. The thickness is not baked: a shadow ray that starts a random length further
+// towards the light is free if the substance ends before that, and if nothing else is in the way.
+Probe substanceProbe(Hit hit, Path path, ivec2 pixel, int light, int index, int count) {
+    const float kEverywhere = 0.35;
+    const float kPower = 4.0;
+    const float kDistortion = 0.2;
+    Surface s = hit.surface;
+    int dimension = kDimensionLights + 32 * (light & 31) + (frame.sampling.z & 31);
+    vec2 u = random2(pixel, frame.sampling.x, dimension, frame.sampling.w);
+    LightSample chosen = sampleLight(light, s.position, u);
+    vec3 through = -normalize(chosen.direction + kDistortion * s.normal);
+    float straight = pow(max(dot(-path.ray.direction, through), 0.0), kPower);
+    // What faces the light answers as a body does.
+    float facing = max(dot(s.normal, chosen.direction), 0.0);
+    vec3 albedo = (1.0 - s.metallic) * (1.0 - s.transmission) * s.baseColor * s.subsurface;
+    vec3 answer = albedo * chosen.irradiance *
+                  (mix(kEverywhere, 1.0, straight) * (1.0 - facing) / (kPi * float(count)));
+    float uLength = random2(pixel, frame.sampling.x * count + index, frame.sampling.y * count,
+                            kDimensionSubstance + (frame.sampling.z & 31), frame.sampling.w).x;
+    float start = scatteredLength(uLength, s.subsurfaceRadius);
+    bool outside = dot(hit.geometricNormal, chosen.direction) > 0.0;
+    vec3 origin = (outside ? hit.rayOrigin : s.position) + start * chosen.direction;
+    return Probe(chosen.direction, max(chosen.distance - start, 0.0), answer, vec3(0.0), kNoSky, 0.0,
+                 origin);
+}
+#endif
 
 // Lights with a size that the path's ray ran into before it met a surface.
 vec3 lightsSeen(Path path, float nearest) {
@@ -133,9 +188,10 @@ vec3 lightsSeen(Path path, float nearest) {
 vec3 gather(uvec4 record, Path path, ivec2 pixel) {
     int view = frame.image.w;
     bool surface = isSurface(record);
-    int lights = view == VITRINE_VIEW_AO ? 0 : frame.counts.x;
+    bool thickness = view == VITRINE_VIEW_THICKNESS;
+    int lights = view == VITRINE_VIEW_AO || thickness ? 0 : frame.counts.x;
     int ambient = view == VITRINE_VIEW_SHADOW ? 0 : frame.sampling.z == 0 ? frame.probes.y : frame.probes.z;
-    bool light = view != VITRINE_VIEW_AO && view != VITRINE_VIEW_SHADOW;
+    bool light = view != VITRINE_VIEW_AO && view != VITRINE_VIEW_SHADOW && !thickness;
     vec3 sum = vec3(0.0);
     vec3 ambientSum = vec3(0.0);
     Hit hit;
@@ -153,9 +209,24 @@ vec3 gather(uvec4 record, Path path, ivec2 pixel) {
     int count = surface ? lights + ambient : 0;
     if (!surface && light) sum += gradientRadiance(path.ray.direction);
 #endif
+    int shone = count;  // probes before those through the substance
+#if HAS_SUBSURFACE
+    int looks = frame.sampling.z == 0 ? frame.probes.w : 1;
+    if (surface && light && maxComponent(hit.surface.subsurface) > 0.0) count += lights * looks;
+#endif
+    Substance below = Substance(false, 0.0);
+    if (surface) {
+        below.mesh = fetchInstance(int(record.x)).kind == VITRINE_KIND_MESH;
+        below.radius = fetchTable(frame.tables.y + hit.material * VITRINE_MATERIAL_TEXELS + 8).w;
+    }
     for (int i = 0; i < count; i++) {
         if (!mayLoop()) break;
         Probe probe;
+#if HAS_SUBSURFACE
+        if (i >= shone)
+            probe = substanceProbe(hit, path, pixel, (i - shone) / looks, (i - shone) % looks, looks);
+        else
+#endif
 #if HAS_SKY
         if (!surface)
             probe = missProbe(path, i);
@@ -166,18 +237,19 @@ vec3 gather(uvec4 record, Path path, ivec2 pixel) {
         if (i < lights)
             probe = lightProbe(hit, path, pixel, i);
         else
-            probe = ambientProbe(hit, pixel, i - lights - bright, ambient);
-        float distance = maxComponent(probe.open) > 0.0 ? probe.distance : 0.0;
+            probe = ambientProbe(hit, below, pixel, i - lights - bright, ambient);
+        float distance = any(notEqual(probe.open, probe.blocked)) ? probe.distance : 0.0;
         uvec4 obstacle = missRecord();
         if (distance > 0.0)
-            obstacle = trace(Ray(hit.rayOrigin, probe.direction, hit.radius), distance);
+            obstacle = trace(Ray(probe.origin, probe.direction, i >= shone || thickness ? 0.0 : hit.radius),
+                             distance);  // thickness is not a matter of pixels
         vec3 arrives = isSurface(obstacle) || distance <= 0.0
                            ? probe.blocked
                            : mix(probe.blocked, probe.open, transmittance);
 #if HAS_SKY
         if (probe.sky != kNoSky) arrives *= skyRadiance(probe.direction, probe.level, probe.sky);
 #endif
-        if (surface && i >= lights + bright) ambientSum += arrives;
+        if (surface && i >= lights + bright && i < shone) ambientSum += arrives;
         else sum += arrives;
     }
     // More occlusion than is natural (ao above 1) must not take away other light.

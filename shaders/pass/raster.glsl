@@ -44,7 +44,7 @@ bool rasterPasses(ivec2 pixel, uvec4 record) {
     // A loop, because the lanes of a CPU skip nothing else.
     while (pending && mayLoop()) {
         pending = false;
-        passes = !stopsRay(loadBarrier(record, cameraRay(pixelPosition(pixel))), record);
+        passes = !stopsRay(loadBarrier(record, pixelRay(pixel)), record);
     }
     return passes;
 }

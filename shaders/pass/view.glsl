@@ -17,7 +17,7 @@ vec4 viewPass(ivec2 pixel) {
 
     uvec4 record = texelFetch(records, pixel, 0);
     if (!isSurface(record)) return vec4(0.0, 0.0, 0.0, 1.0);
-    Hit hit = loadHit(record, cameraRay(pixelPosition(pixel)));
+    Hit hit = loadHit(record, pixelRay(pixel));
     vec3 c = vec3(0.0);
     if (view == VITRINE_VIEW_ALBEDO) c = hit.surface.baseColor;
     if (view == VITRINE_VIEW_NORMAL) c = 0.5 + 0.5 * hit.surface.normal;

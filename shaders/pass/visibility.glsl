@@ -9,7 +9,7 @@ uvec4 visibilityPass(ivec2 pixel) {
 #if HAS_FILTERS
     filterPixel = pixel;
 #endif
-    return trace(cameraRay(pixelPosition(pixel)), kInfinity);
+    return trace(pixelRay(pixel), kInfinity);
 }
 
 #if COUNTERS

@@ -11,7 +11,7 @@ uvec4 visibilityFieldsPass(ivec2 pixel) {
 #endif
     uvec4 mesh = texelFetch(records, pixel, 0);
     float nearest = isSurface(mesh) ? recordDistance(mesh) : kInfinity;
-    uvec4 field = trace(cameraRay(pixelPosition(pixel)), nearest);
+    uvec4 field = trace(pixelRay(pixel), nearest);
     return isSurface(field) ? field : mesh;
 }
 

@@ -24,7 +24,7 @@ int countedRays = 0;
 #define COUNT(counter)
 #endif
 
-// The camera ray through a point of the image plane; x, y in pixels from the lower left.
+// The ray through the middle of the lens and a point of the image plane; x, y in pixels from the lower left.
 Ray cameraRay(vec2 position) {
     vec2 p = 2.0 * position / vec2(frame.image.xy) - 1.0;
     vec3 direction = frame.cameraForward.xyz + p.x * frame.cameraRight.xyz + p.y * frame.cameraUp.xyz;

@@ -3,6 +3,7 @@
 #include "scene/fetch.glsl"
 #include "lib/hit_record.glsl"
 #include "lib/random.glsl"
+#include "shade/lens.glsl"
 
 uniform usampler2D records;
 uniform sampler2D pathOrigin;      // xyz: origin; w: radius of the cone
@@ -20,10 +21,12 @@ struct Path {
 };
 
 // Uses of random numbers, so that no two share one.
+const int kDimensionLens = 8;
 const int kDimensionAmbient = 16;  // and 15 more
 const int kDimensionSky = 32;      // and 15 more
 const int kDimensionBounce = 64;   // and one a bounce
 const int kDimensionChoice = 128;  // and one a bounce: of a lobe, and whether the path goes on
+const int kDimensionSubstance = 192;  // and one a bounce; 32 kinds of probes share the points
 const int kDimensionLights = 256;  // and 31 more a light, of which there are 32 kinds
 
 // For what takes one point a sample.
@@ -31,10 +34,20 @@ vec2 random2(ivec2 pixel, int sampleIndex, int dimension, int seed) {
     return random2(pixel, sampleIndex, frame.sampling.y, dimension, seed);
 }
 
-vec2 pixelPosition(ivec2 pixel) { return vec2(pixel) + 0.5 + frame.jitter.xy; }
+// The ray that looks for what this pixel shows in this sample.
+Ray pixelRay(ivec2 pixel) {
+    Ray ray = cameraRay(vec2(pixel) + 0.5 + frame.jitter.xy);
+    bool pending = frame.lens.x > 0.0;
+    // A loop, because the lanes of a CPU skip nothing else.
+    while (pending && mayLoop()) {
+        pending = false;
+        ray = throughLens(ray, random2(pixel, frame.sampling.x, kDimensionLens, frame.sampling.w));
+    }
+    return ray;
+}
 
 Path loadPath(ivec2 pixel) {
-    if (frame.sampling.z == 0) return Path(cameraRay(pixelPosition(pixel)), vec3(1.0), 0.0, 0.0);
+    if (frame.sampling.z == 0) return Path(pixelRay(pixel), vec3(1.0), 0.0, 0.0);
     vec4 origin = texelFetch(pathOrigin, pixel, 0);
     vec4 direction = texelFetch(pathDirection, pixel, 0);
     vec4 throughput = texelFetch(pathThroughput, pixel, 0);

@@ -53,6 +53,10 @@ void clampSurface(inout Surface s) {
     s.transmission = clamp(s.transmission, 0.0, 1.0) * (1.0 - s.metallic);
     s.absorption = max(s.absorption, 0.0);
 #endif
+#if HAS_SUBSURFACE
+    s.subsurface = clamp(s.subsurface, 0.0, 1.0);
+    s.subsurfaceRadius = max(s.subsurfaceRadius, 1.0e-6);
+#endif
 #if HAS_LAYERS
     s.clearcoat = clamp(s.clearcoat, 0.0, 1.0);
     s.clearcoatRoughness = clamp(s.clearcoatRoughness, 0.0, 1.0);
@@ -87,6 +91,13 @@ void loadMaterial(inout Hit hit, Instance instance, TextureFrame geometry) {
     hit.surface.clearcoatNormal = hit.surface.normal;
     hit.surface.sheenColor = vec3(0.0);
     hit.surface.sheenRoughness = 0.0;
+    hit.surface.subsurface = vec3(0.0);
+    hit.surface.subsurfaceRadius = 0.0;
+#if HAS_SUBSURFACE
+    vec4 scattering = fetchTable(i + 8);
+    hit.surface.subsurface = scattering.rgb;
+    hit.surface.subsurfaceRadius = scattering.w;
+#endif
 #if HAS_TRANSMISSION
     vec4 f = fetchTable(i + 5);
     hit.surface.absorption = f.rgb;

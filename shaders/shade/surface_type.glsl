@@ -26,6 +26,8 @@ struct Surface {
     vec3 clearcoatNormal;
     vec3 sheenColor;
     float sheenRoughness;
+    vec3 subsurface;         // of light from behind, what comes through nothing thick; times baseColor
+    float subsurfaceRadius;  // of the substance, what leaves 1/e of it, m
 
     // Found from the above by prepareReflection(); what a snippet writes here is lost.
     vec3 f0;            // reflectance at normal incidence, with light that bounces on microfacets

@@ -11,8 +11,23 @@
 namespace vitrine {
 namespace {
 
+/// For as long as it lives all is sharp: data and lines are not blurred.
+class SharpLens {
+  public:
+    explicit SharpLens(FrameBlock& block) : block_(block), radius_(block.lens.x) {
+        block.lens.x = 0;
+    }
+    ~SharpLens() { block_.lens.x = radius_; }
+    SharpLens(const SharpLens&) = delete;
+    SharpLens& operator=(const SharpLens&) = delete;
+
+  private:
+    FrameBlock& block_;
+    float radius_;
+};
+
 // Of a picture of one sample.
-constexpr int kAmbientProbes = 16, kSkyProbes = 4;
+constexpr int kAmbientProbes = 16, kSkyProbes = 4, kSubstanceProbes = 8;
 
 }  // namespace
 
@@ -60,11 +75,12 @@ void Frame::begin(const FrameRequest& request) {
                         "allows {} a side",
                         width, height, request.ssaa, maxSide_));
     packCamera(request.camera, width, height, block);
+    if (request.samples <= 1) block.lens.x = 0;  // one sample looks through the middle of the lens
     block.shading.x = request.time;
     block.image.w = static_cast<int>(request.view);
     block.path.x = static_cast<int>(request.mode);
-    const bool firstHitOnly =
-        request.view == View::kDirect || request.view == View::kShadow || request.view == View::kAo;
+    const bool firstHitOnly = request.view == View::kDirect || request.view == View::kShadow ||
+                              request.view == View::kAo || request.view == View::kThickness;
     block.path.y = firstHitOnly ? 0 : request.bounces;
     block.sampling.y = request.samples;
     block.sampling.w = request.seed;
@@ -94,6 +110,7 @@ void Frame::chooseProbes() {
     const int ambient = reference ? 0 : share(kAmbientProbes);
     block.probes.y = ambient;
     block.probes.z = reference ? 0 : later(ambient);
+    block.probes.w = share(kSubstanceProbes);
     block.sky.w = reference ? 1.0f : 0.0f;
     block.skyTree = glm::ivec4(0);
     if (sky_ == nullptr) return;
@@ -110,8 +127,13 @@ void Frame::drawSample() {
     context_.block.sampling.x = sample_;
     const glm::vec2 jitter = sampleOffset(sample_, request_.samples);
     context_.block.jitter = glm::vec4(jitter, request_.ssaa, 0);
-    findFirstHits();
-    if (request_.layers && sample_ == 0) layersPass(context_, paths_[0].records, layers_);
+    if (request_.layers && sample_ == 0) {
+        const SharpLens sharp(context_.block);
+        findFirstHits();
+        layersPass(context_, paths_[0].records, layers_);
+    }
+    // A lens has other rays than the rasteriser.
+    if (sample_ > 0 || !request_.layers || context_.block.lens.x > 0) findFirstHits();
     if (!showsRecords(request_.view)) followPaths();
     if (showsRecords(request_.view) || showsCounters(request_.view)) {
         // The records of the camera rays are gone after the bounces; counters need no records.
@@ -124,7 +146,9 @@ void Frame::drawSample() {
 }
 
 void Frame::findFirstHits() {
-    if (request_.primary == Primary::kTrace || !rasterPossible_) {
+    // The rasteriser has one eye; through a lens each pixel looks from a point of its own.
+    const bool pinhole = context_.block.lens.x <= 0;
+    if (request_.primary == Primary::kTrace || !rasterPossible_ || !pinhole) {
         visibilityPass(context_, paths_[0].records);
         return;
     }
@@ -168,6 +192,7 @@ ImageRgba8 Frame::picture() {
         // The bounces have overwritten the records. Through the middles of the pixels, so that they
         // fit the lines.
         context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
+        const SharpLens sharp(context_.block);
         findFirstHits();
     }
     const glm::ivec4 drawn = context_.block.image;

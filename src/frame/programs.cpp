@@ -55,6 +55,7 @@ ProgramFeatures featuresOf(const PackedScene& scene, bool counters) {
     features.counters = counters;
     features.textures = scene.textures.any();
     features.layers = scene.hasLayers;
+    features.subsurface = scene.hasSubsurface;
     features.vertexExtras = scene.hasVertexExtras;
     features.tangents = scene.hasTangents;
     features.transmission = scene.hasTransmission;
@@ -72,6 +73,7 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
     key.defines["HAS_TEXTURES"] = features.textures ? 1 : 0;
     key.defines["HAS_LAYERS"] = features.layers ? 1 : 0;
     key.defines["HAS_TRANSMISSION"] = features.transmission ? 1 : 0;
+    key.defines["HAS_SUBSURFACE"] = features.subsurface ? 1 : 0;
     key.defines["HAS_SKY"] = features.sky ? 1 : 0;
     key.defines["HAS_FILTERS"] = (traces || pass == "raster") && features.filters ? 1 : 0;
     key.defines["HAS_VERTEX_EXTRAS"] = features.vertexExtras ? 1 : 0;
@@ -96,6 +98,7 @@ void ProgramSet::require(const PackedMoment& moment) {
     const ProgramFeatures before = features_;
     features_.layers |= moment.hasLayers;
     features_.transmission |= moment.hasTransmission;
+    features_.subsurface |= moment.hasSubsurface;
     features_.filters |= moment.hasFilters;
     features_.culling |= moment.hasCulling;
     if (features_ != before) programs_.clear();

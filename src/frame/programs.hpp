@@ -23,6 +23,7 @@ struct ProgramFeatures {
     bool textures = false;
     bool layers = false;        ///< varnish, sheen
     bool transmission = false;  ///< glass
+    bool subsurface = false;    ///< light that comes through, scattered
     bool sky = false;           ///< a picture of it
     bool filters = false;       ///< surfaces that let rays pass
     bool culling = false;       ///< meshes not seen from behind

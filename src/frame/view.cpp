@@ -15,13 +15,14 @@ namespace vitrine {
 
 static_assert(static_cast<int>(View::kLoops) == VITRINE_VIEW_LOOPS);
 static_assert(static_cast<int>(View::kBvh) == VITRINE_VIEW_BVH);
+static_assert(static_cast<int>(View::kThickness) == VITRINE_VIEW_THICKNESS);
 static_assert(static_cast<int>(View::kDirect) == VITRINE_VIEW_DIRECT);
 
 const std::vector<std::string>& viewNames() {
-    static const std::vector<std::string> names{"color",    "albedo",    "normal",      "depth",
-                                                "instance", "primitive", "barycentric", "material",
-                                                "direct",   "shadow",    "reflection",  "ao",
-                                                "steps",    "nodes",     "loops",       "bvh"};
+    static const std::vector<std::string> names{
+        "color",       "albedo",   "normal", "depth",     "instance",   "primitive",
+        "barycentric", "material", "direct", "shadow",    "reflection", "ao",
+        "steps",       "nodes",    "loops",  "thickness", "bvh"};
     return names;
 }
 

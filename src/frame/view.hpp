@@ -25,6 +25,7 @@ enum class View {
     kSteps,
     kNodes,
     kLoops,
+    kThickness,
     kBvh,
 };
 

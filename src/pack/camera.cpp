@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "pack/camera.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vitrine {
 
 void packCamera(const Camera& camera, int width, int height, FrameBlock& block) {
-    constexpr float kSensorWidth = 36;  // mm
+    constexpr float kSensorWidth = 36;      // mm
+    constexpr float kNearestFocus = 1e-3f;  // m
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
     const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
@@ -18,6 +20,13 @@ void packCamera(const Camera& camera, int width, int height, FrameBlock& block) 
     block.cameraForward = glm::vec4(forward, 0);
     block.cameraRight = glm::vec4(right * halfWidth, halfWidth * halfWidth);
     block.cameraUp = glm::vec4(up * halfHeight, halfHeight * halfHeight);
+    // 18 mm, half of the sensor, over the half width at distance 1 is the focal length.
+    const float focalLength = 0.5e-3f * kSensorWidth / halfWidth;
+    const float focus =
+        camera.focusDistance > 0 ? camera.focusDistance : glm::length(camera.target - camera.eye);
+    block.lens = glm::vec4(camera.fStop > 0 ? focalLength / (2 * camera.fStop) : 0.0f,
+                           std::max(focus, kNearestFocus),
+                           camera.apertureBlades >= 3 ? camera.apertureBlades : 0, 0);
     block.image.x = width;
     block.image.y = height;
 }

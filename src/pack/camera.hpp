@@ -6,7 +6,10 @@
 
 namespace vitrine {
 
-/// Fills the camera's fields for a picture of `width` by `height` pixels.
+/// Fills the camera's fields for a picture of `width` by `height` pixels. The lens is thin and does
+/// not breathe: the field of view is that of the focal length, whatever the distance in focus. A
+/// point at distance d along the axis becomes a disc of 2 r |d - f| / (d f) of the image plane at
+/// distance 1, where r is the radius of the lens and f the distance in focus.
 void packCamera(const Camera& camera, int width, int height, FrameBlock& block);
 
 /// `clipFromWorld` of the camera and the sample offset in the block. Depth is reversed with an

@@ -10,7 +10,7 @@ static_assert(static_cast<int>(LightType::kRect) == VITRINE_LIGHT_RECT);
 
 PackedLight packLight(const Light& light) {
     const bool rect = light.type == LightType::kRect, sun = light.type == LightType::kSun;
-    const glm::vec3 axis = glm::normalize(light.direction);
+    const glm::vec3 axis = travelOf(light);
     glm::vec3 edgeX(0), edgeY(0);
     if (rect) {
         // Its width lies level.

@@ -78,6 +78,7 @@ class Packer {
         for (const auto& snippet : geometry_.materialSnippets) {
             out_.hasLayers |= mentions(*snippet, {"clearcoat", "sheenColor"});
             out_.hasTransmission |= mentions(*snippet, {"transmission"});
+            out_.hasSubsurface |= mentions(*snippet, {"subsurface"});
         }
         addMaterial(Material{}, 0, 0, {});  // for nodes that name none
         out_.materialNames.back() = "(default)";
@@ -106,6 +107,9 @@ class Packer {
         materials_.emplace_back(absorptionOf(m), m.transmission);
         materials_.emplace_back(m.clearcoat, m.clearcoatRoughness, 0.0f, 0.0f);
         materials_.emplace_back(m.sheenColor.rgb, m.sheenRoughness);
+        const float subsurface = std::max(m.subsurface, scene_.render.sssAll);
+        out_.hasSubsurface |= subsurface > 0;
+        materials_.emplace_back(subsurface * m.subsurfaceColor.rgb, m.subsurfaceRadius);
     }
 
     static int flagsOf(const Material& m) {
@@ -358,7 +362,8 @@ class Packer {
         }
         b.shading = {0, r.threshold, r.ao, r.aoDistance};
         const float size = out_.worldBox.empty() ? 1.0f : glm::length(out_.worldBox.extent());
-        b.display = {std::exp2(r.exposure), r.gamma, std::min(size, 10.0f), 1};
+        b.display = {std::exp2(r.exposure) * r.exposurePercent / 100, r.gamma,
+                     std::min(size, 10.0f), 1};
         b.image.z = static_cast<int>(r.toneMap);
         b.sampling.w = r.seed;
         b.counts.y = r.marchSteps;

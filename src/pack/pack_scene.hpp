@@ -34,6 +34,7 @@ struct PackedMoment {
     FrameBlock block{};
     bool hasLayers = false;        ///< materials with varnish or sheen
     bool hasTransmission = false;  ///< materials that light passes
+    bool hasSubsurface = false;    ///< materials that light comes through, scattered
     bool hasFilters = false;       ///< instances that let rays pass: holes, veils, glass
     bool hasCulling = false;       ///< meshes that are not seen from behind
 

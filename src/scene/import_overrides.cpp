@@ -36,7 +36,9 @@ bool means(std::string_view name, std::string_view declared) {
 std::string problemOf(const Material&, const Material&) {
     return "";
 }
-std::string problemOf(const Light& light, const Light&) {
+std::string problemOf(const Light& light, const Light& before) {
+    if (light.polar < 0 && light.azimuth != before.azimuth)
+        return "azimuth needs polar, the angle from the zenith";
     if (glm::length(light.direction) < 1e-6f) return "direction has no length";
     if (light.innerAngle > light.outerAngle) return "inner_angle is larger than outer_angle";
     return "";

@@ -97,7 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"MisspeltShape", "[shape.a]\nspere = { radius = 1 }\n",
              "t:2:1: error: unknown key 'spere' in [shape.a] (did you mean 'sphere'?)"},
         Case{"MisspeltChoice", "[render]\ntone_map = \"filmc\"\n",
-             "t:2:12: error: tone_map must be one of 'none', 'filmic', not 'filmc' (did you mean "
+             "t:2:12: error: tone_map must be one of 'none', 'filmic', 'aces', 'agx', 'reinhard', "
+             "not 'filmc' (did you mean "
              "'filmic'?)"},
         Case{"UnknownChoice", "[[light]]\ntype = \"lamp\"\n",
              "t:2:8: error: type must be one of 'sun', 'point', 'spot', 'sphere', 'rect', not "
@@ -183,6 +184,13 @@ INSTANTIATE_TEST_SUITE_P(
              "t:2:13: error: direction has no length"},
         Case{"SunWithPosition", "[[light]]\nat = [0, 1, 0]\n",
              "t:2:6: error: a sun light has no position"},
+        Case{"DirectionAndAngles", "[[light]]\ndirection = [0, -1, 0]\npolar = 30\nazimuth = 1\n",
+             "t:3:9: error: give direction, or polar and azimuth, not both\n"
+             "t:4:11: error: give direction, or polar and azimuth, not both"},
+        Case{"AzimuthAlone", "[[light]]\nazimuth = 1\n",
+             "t:2:11: error: azimuth needs polar, the angle from the zenith"},
+        Case{"PointWithAngles", "[[light]]\ntype = \"point\"\npolar = 30\n",
+             "t:3:9: error: only a sun or a spot has polar"},
         Case{"PointWithDirection", "[[light]]\ntype = \"point\"\ndirection = [0, -1, 0]\n",
              "t:3:13: error: a point light has no direction"},
         Case{"PointWithCone", "[[light]]\ntype = \"point\"\nouter_angle = 30\n",

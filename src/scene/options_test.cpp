@@ -169,6 +169,7 @@ TEST(Options, EveryRowOfListedSectionsReachesItsMember) {
                                        {{"at", "type = \"point\"\n"},
                                         {"range", "type = \"point\"\n"},
                                         {"size", "type = \"rect\"\n"},
+                                        {"azimuth", "polar = 10\n"},
                                         {"inner_angle", "type = \"spot\"\nouter_angle = 90\n"},
                                         {"outer_angle", "type = \"spot\"\n"}}});
     checkTable<Node>(nodeOptions(), {"[[node]]\n",

@@ -206,6 +206,7 @@ class SceneParser {
         if (rect && std::min(light.size.x, light.size.y) <= 0)
             diagnostics_.error(placeOf(*table.get("size")),
                                "a rect light needs a width and a height");
+        angles(table, sun || light.type == LightType::kSpot);
         if (sun) refuse(table, "at", "a sun light has no position");
         if (sun) refuse(table, "range", "a sun light has no range");
         if (round)
@@ -218,6 +219,16 @@ class SceneParser {
             for (const char* key : {"inner_angle", "outer_angle"})
                 refuse(table, key, "only a spot light has a cone");
         scene_.lights.push_back(light);
+    }
+
+    void angles(const toml::table& table, bool possible) {
+        for (const char* key : {"polar", "azimuth"}) {
+            if (!possible) refuse(table, key, fmt::format("only a sun or a spot has {}", key));
+            if (possible && table.contains("direction"))
+                refuse(table, key, "give direction, or polar and azimuth, not both");
+        }
+        if (possible && !table.contains("direction") && !table.contains("polar"))
+            refuse(table, "azimuth", "azimuth needs polar, the angle from the zenith");
     }
 
     void refuse(const toml::table& table, const char* key, const std::string& message) {

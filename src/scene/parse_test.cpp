@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "scene/test_scene.hpp"
 
 namespace vitrine {
@@ -108,6 +110,30 @@ TEST(ParseScene, ReadsEverySection) {
     EXPECT_EQ(s.lights[0].intensity, 4);
     EXPECT_EQ(s.lights[1].type, LightType::kPoint);
     EXPECT_EQ(s.lights[1].at, vec3(1));
+}
+
+TEST(ParseScene, LightsHaveADirectionOrAngles) {
+    const auto travel = [](const std::string& keys, const std::string& set = "light.name=sun") {
+        return travelOf(goodScene("[[light]]\n" + keys, {set}).lights.at(0));
+    };
+    const auto expectSame = [](const vec3& a, const vec3& b) {
+        EXPECT_LT(glm::length(a - b), 1e-6f) << a.x << " " << a.y << " " << a.z;
+    };
+    expectSame(travel("polar = 0\n"), {0, -1, 0});
+    expectSame(travel("polar = 180\n"), {0, 1, 0});
+    expectSame(travel("polar = 90\n"), {0, 0, -1});
+    expectSame(travel("polar = 90\nazimuth = 90\n"), {-1, 0, 0});
+    expectSame(travel("polar = 60\nazimuth = 30\n"), {-std::sqrt(0.75f) * 0.5f, -0.5f, -0.75f});
+    expectSame(travel("polar = 60\n", "light.azimuth=180"), {0, -0.5f, std::sqrt(0.75f)});
+    expectSame(travel("direction = [0, 0, 5]\n"), {0, 0, 1});
+    for (const vec3& direction : {vec3(1, -2, 3), vec3(-1, 2, 0.5f), vec3(0, -1, 0)}) {
+        Light light;
+        light.direction = direction;
+        useAngles(light);
+        EXPECT_GE(light.polar, 0);
+        light.direction = {9, 9, 9};
+        expectSame(travelOf(light), glm::normalize(direction));
+    }
 }
 
 TEST(ParseScene, ReadsCameras) {

@@ -38,11 +38,15 @@ void apply(const AnimationTrack& track, double time, Scene& scene) {
                                                    : scene.materials[target.index].set;
         return setParameter(set, *parameter, track, value);
     }
+    const bool light = target.object == Object::kLight;
+    if (light && (target.key == "polar" || target.key == "azimuth"))
+        useAngles(scene.lights[target.index]);
     visitTarget(scene, target, [&](const auto& options, auto& object) {
         if (const auto* option = findOption(options, target.key))
             setNumbers(*option, object, value);
     });
     // Whichever of the two moves is the one that counts.
+    if (light && target.key == "direction") scene.lights[target.index].polar = Light::kNoAngle;
     if (target.object == Object::kCamera && target.key == "fov")
         scene.cameras[target.index].focalLength = 0;
     if (target.object == Object::kCamera && target.key == "focal_length")

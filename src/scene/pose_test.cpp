@@ -152,6 +152,18 @@ TEST(Pose, WhatSetGivesStays) {
     EXPECT_EQ(looped.animations.at(0).loop, LoopMode::kMirror);
 }
 
+TEST(Pose, LightsTurnByAnglesOrByDirection) {
+    // The light of the scene has a direction: its other angle is that of the direction.
+    const Scene up = moving(animation("light = \"key\"", "polar", "[[0, 10], [1, 50]]"));
+    const Light& before = up.lights[0];
+    const glm::vec3 from = -travelOf(before), now = -travelOf(poseScene(up, 1).lights[0]);
+    EXPECT_NEAR(now.y, std::cos(glm::radians(50.0f)), 1e-5f);
+    EXPECT_NEAR(std::atan2(now.x, now.z), std::atan2(from.x, from.z), 1e-5f);
+    Scene angles = moving(animation("light = \"key\"", "direction", "[[0, [0, 0, 1]]]"));
+    angles.lights[0].polar = 20;
+    EXPECT_EQ(travelOf(poseScene(angles, 0).lights[0]), glm::vec3(0, 0, 1));
+}
+
 TEST(Pose, WhatWouldBeImpossibleDoesNotHappen) {
     const Scene scene =
         moving(animation("camera = \"front\"", "eye", "[[0, [0, 0, 5]], [1, [0, 0.5, 0]]]") +

@@ -153,11 +153,23 @@ std::string sceneFormatReference() {
     section(out, "[scene]", sceneOptions());
     out << kIncludes;
     section(out, "[render]", renderOptions());
+    out << "\n`filmic`, the default, has deep blacks and vivid colours (Narkowicz's fit of ACES). "
+           "`aces` is Hill's\nfit with its primaries: bright colours pale, and hues turn a little. "
+           "`agx` (Sobotka) is soft and keeps\nhues best: bright blue goes to white without "
+           "violet. `reinhard` is the plain one of 2002. Middle\ngrey stays about where it is in "
+           "all of them. EXR files hold light before all this.\n";
     section(out, "[bvh]", bvhOptions());
     out << "\nHow the trees of meshes are built. `info FILE --builders` compares the builders,\n"
            "`--view bvh=4` shows a tree.\n";
     section(out, "[[camera]]", cameraOptions());
-    out << "\nThe first camera is used unless `--camera` names another.\n";
+    out << "\nThe first camera is used unless `--camera` names another.\n\n"
+           "With `f_stop` the camera has a thin lens of the diameter focal length / f_stop, in "
+           "true\n"
+           "measures (1 is a metre): a 50 mm lens at f/2 is 25 mm wide. It blurs toys much and a "
+           "tank little, so\na scene that is not built to its true size wants another f_stop. "
+           "With `fov` the focal length is the\none that sees as much. A lens needs `--spp` "
+           "(one sample looks through its middle), and its first hits\nare always traced. EXR "
+           "layers stay sharp.\n";
     section(out, "[environment]", environmentOptions());
     out << "\n`sky = COLOUR` is short for the same zenith, horizon and ground. `sky = "
            "\"FILE.hdr\"` or "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.hpp"
 
+#include <cmath>
 #include <unordered_map>
 
 namespace vitrine {
@@ -29,6 +30,20 @@ std::string problemOf(const Camera& camera) {
     if (glm::length(glm::cross(glm::normalize(forward), glm::normalize(camera.up))) < 1e-6f)
         return "the camera looks along its up direction";
     return "";
+}
+
+glm::vec3 travelOf(const Light& light) {
+    if (light.polar < 0) return glm::normalize(light.direction);
+    const float polar = glm::radians(light.polar), azimuth = glm::radians(light.azimuth);
+    return -glm::vec3(std::sin(polar) * std::sin(azimuth), std::cos(polar),
+                      std::sin(polar) * std::cos(azimuth));
+}
+
+void useAngles(Light& light) {
+    if (light.polar >= 0) return;
+    const glm::vec3 from = -glm::normalize(light.direction);
+    light.polar = glm::degrees(std::acos(glm::clamp(from.y, -1.0f, 1.0f)));
+    light.azimuth = glm::degrees(std::atan2(from.x, from.z));
 }
 
 std::vector<glm::mat4> worldFromNodes(const Scene& scene) {

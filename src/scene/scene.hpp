@@ -39,18 +39,20 @@ struct ParameterValue {
     SourceLocation where;
 };
 
-enum class ToneMap { kNone, kFilmic };
+enum class ToneMap { kNone, kFilmic, kAces, kAgx, kReinhard };
 
 struct RenderSettings {
     int bounces = 2;
     int samples = 1;
     int ssaa = 1;
-    float exposure = 0;  ///< stops
+    float exposure = 0;           ///< stops
+    float exposurePercent = 100;  ///< on top of that
     float gamma = 1;
     ToneMap toneMap = ToneMap::kFilmic;
     float threshold = 0.02f;
     float ao = 1;
     float aoDistance = 2;
+    float sssAll = 0;  ///< least subsurface of every material
     int marchSteps = 256;
     int seed = 0;
 };
@@ -72,8 +74,11 @@ struct Camera {
     glm::vec3 eye{3, 2, 4};
     glm::vec3 target{0, 0.5f, 0};
     glm::vec3 up{0, 1, 0};
-    float fov = 0;          ///< vertical, degrees; 0: from focalLength
-    float focalLength = 0;  ///< millimetres on a sensor 36 mm wide; 0: from fov
+    float fov = 0;            ///< vertical, degrees; 0: from focalLength
+    float focalLength = 0;    ///< millimetres on a sensor 36 mm wide; 0: from fov
+    float fStop = 0;          ///< focal length over the lens's diameter; 0: a pinhole
+    float focusDistance = 0;  ///< along the view axis, m; 0: to the target
+    int apertureBlades = 0;   ///< corners of the lens's opening; 0: round
     /// In Scene::nodes: it goes with this node and looks along its -z, and eye, target and up are
     /// where the node puts them at rest. Of a model.
     std::optional<size_t> node;
@@ -107,6 +112,8 @@ struct Light {
     LightType type = LightType::kSun;
     glm::vec3 at{0, 4, 0};            ///< all but the sun
     glm::vec3 direction{-1, -2, -1};  ///< sun, spot, rect: the way the light travels
+    float polar = kNoAngle;  ///< sun, spot: where the light comes from, degrees from the zenith
+    float azimuth = 0;       ///< and from +z towards +x; both hold instead of direction
     Color color{{1, 1, 1}};
     float intensity = 3;      ///< sun: irradiance, W/m2; others: radiant intensity, W/sr
     float radius = 0;         ///< m; of a sun, degrees; 0: hard shadows
@@ -116,7 +123,14 @@ struct Light {
     float range = 0;             ///< point, spot: nothing is lit beyond, m; 0: no end
     std::optional<size_t> node;  ///< it goes with this node and shines along its -z; see Camera
     SourceLocation where;
+
+    static constexpr float kNoAngle = -1;  ///< polar: not given
 };
+
+/// The way the light of a sun, spot or rect travels, unit, by its angles or its direction.
+glm::vec3 travelOf(const Light& light);
+/// Gives angles to a light that has a direction; it travels as before.
+void useAngles(Light& light);
 
 enum class TextureWrap { kRepeat, kClamp, kMirror };
 
@@ -180,6 +194,10 @@ struct Material {
     float sheenRoughness = 0;
     MaterialTexture sheenColorTexture;
     MaterialTexture sheenRoughnessTexture;  ///< alpha
+
+    float subsurface = 0;              ///< share of light that comes through from behind
+    Color subsurfaceColor{{1, 1, 1}};  ///< of that light, times baseColor
+    float subsurfaceRadius = 0.1f;     ///< m of substance that leave 1/e of it
 
     Reference snippet;  ///< a .mat.glsl file
     std::vector<ParameterValue> set;
