@@ -52,7 +52,7 @@ nlohmann::json benchFirstHits(const Context& gpu, const LoadedScene& loaded, con
     Texture rastered(width, height, TexelFormat::kRgba32ui);
     Texture traced(width, height, TexelFormat::kRgba32ui);
     const DepthImage depth(width, height);
-    const std::vector<RasterDraw> draws = rasterDraws(packed.instances, context.block);
+    const std::vector<RasterDraw> draws = rasterDraws(context, packed.instances);
 
     const Stopwatch watch(gpu.info().software);
     const auto raster = [&] {

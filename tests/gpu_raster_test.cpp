@@ -111,4 +111,50 @@ TEST_F(RasterTest, MirroredAndSqueezedInstancesAndAnEyeInsideAMesh) {
     EXPECT_LT(differing(loaded, loaded), kMostPixels);
 }
 
+// Where the backs of a solid are left out, none may be missing: from inside, through a hole, turned
+// inside out, mirrored, and through holes in a material.
+TEST_F(RasterTest, BacksAreSeenWhereTheyAreSeen) {
+    Mesh open = makeBox(glm::vec3(0.5f)), reversed = makeBox(glm::vec3(0.5f));
+    open.triangles.erase(open.triangles.begin());
+    for (glm::uvec3& t : reversed.triangles) std::swap(t.y, t.z);
+    const Mesh solid = makeBox(glm::vec3(0.5f));
+    struct Case {
+        const char* name;
+        const Mesh& mesh;
+        glm::vec3 scale, eye;
+    };
+    const glm::vec3 one(1), mirror(-1, 1, 1), far(2, 1.5f, 2.5f);
+    const glm::vec3 hole = 4.0f * open.normals[makeBox(glm::vec3(0.5f)).triangles[0].x];
+    const Case cases[] = {{"outside", solid, one, far},
+                          {"mirrored", solid, mirror, far},
+                          {"inside", solid, one, {0.1f, 0.2f, 0.3f}},
+                          {"inside out", reversed, one, far},
+                          {"inside out and mirrored", reversed, mirror, far},
+                          {"into the hole", open, one, 0.6f * hole + glm::vec3(0.2f, 0.3f, 0.1f)},
+                          {"into the mirrored hole", open, mirror,
+                           glm::vec3(-1, 1, 1) * (0.6f * hole + glm::vec3(0.2f, 0.3f, 0.1f))},
+                          {"against the hole", open, one, -hole + glm::vec3(0.2f, 0.3f, 0.1f)}};
+    for (const bool veiled : {false, true})
+        for (const Case& c : cases) {
+            test::TestScene made;
+            Material material;
+            material.roughness = 1;
+            if (veiled) {
+                material.alphaMode = AlphaMode::kBlend;
+                material.opacity = 0.5f;
+            }
+            made.add(made.addMesh(c.mesh), made.addMaterial(material)).scale = c.scale;
+            made.setEnvironment(0.2f);
+            made.addSun({-0.5f, -0.7f, -0.3f}, 2);
+            Camera camera;
+            camera.eye = c.eye;
+            camera.target = {-0.05f, 0.02f, 0.03f};
+            camera.fov = 60;
+            made.scene.cameras = {camera};
+            const LoadedScene loaded = made.load();
+            EXPECT_LT(differing(loaded, loaded), kMostPixels)
+                << c.name << (veiled ? ", veiled" : "");
+        }
+}
+
 }  // namespace vitrine

@@ -152,7 +152,7 @@ void Frame::findFirstHits() {
         visibilityPass(context_, paths_[0].records);
         return;
     }
-    const std::vector<RasterDraw> draws = rasterDraws(instances_, context_.block);
+    const std::vector<RasterDraw> draws = rasterDraws(context_, instances_);
     const bool fields = fieldRoot_ >= 0;
     rasterPass(context_, draws, depth_, paths_[fields ? 1 : 0].records);
     if (fields) visibilityFieldsPass(context_, fieldRoot_, paths_[1].records, paths_[0].records);

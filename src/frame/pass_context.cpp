@@ -29,6 +29,11 @@ void PassContext::run(const std::string& pass, PassImages images) {
     if (counts) std::swap(counters[0], counters[1]);
 }
 
+const RasterOrder& PassContext::rasterOrder(std::span<const PackedInstance> instances) {
+    if (rasterOrder_.add(instances)) rasterRunner_.setIndices(rasterOrder_.indices());
+    return rasterOrder_;
+}
+
 void PassContext::draw(const std::string& pass, const RasterImages& images,
                        std::span<const RasterDraw> draws) {
     const Program& program = programs.get(pass);

@@ -7,6 +7,7 @@
 
 #include "frame/gpu_scene.hpp"
 #include "frame/programs.hpp"
+#include "frame/raster_order.hpp"
 #include "gpu/overlay_pass.hpp"
 #include "gpu/raster_pass.hpp"
 #include "gpu/timer.hpp"
@@ -31,6 +32,9 @@ class PassContext {
     void draw(const std::string& pass, const RasterImages& images,
               std::span<const RasterDraw> draws);
 
+    /// The order in which draw() takes triangles, with the meshes of these instances in it.
+    const RasterOrder& rasterOrder(std::span<const PackedInstance> instances);
+
     /// Draws `vertices` corners of triangles over a picture, mixed by their alpha.
     void overlay(const std::string& pass, PassImages images, int vertices);
 
@@ -45,6 +49,7 @@ class PassContext {
   private:
     PassRunner runner_;
     RasterRunner rasterRunner_;
+    RasterOrder rasterOrder_;
     OverlayRunner overlayRunner_;
     UniformBlock uniforms_;
     PassTimer timer_;

@@ -32,24 +32,31 @@ float farthestDistance(const Aabb& box, const glm::vec3& eye) {
 
 }  // namespace
 
-std::vector<RasterDraw> rasterDraws(std::span<const PackedInstance> instances,
-                                    const FrameBlock& block) {
+std::vector<RasterDraw> rasterDraws(PassContext& context,
+                                    std::span<const PackedInstance> instances) {
+    const FrameBlock& block = context.block;
+    const RasterOrder& triangles = context.rasterOrder(instances);
     const glm::mat4 clipFromWorld = packProjection(block);
     const glm::vec3 eye(block.cameraEye);
     std::vector<std::pair<float, RasterDraw>> order;
     for (size_t i = 0; i < instances.size(); ++i) {
         const PackedInstance& instance = instances[i];
         if (instance.field || isOutside(instance.worldBox, clipFromWorld)) continue;
-        order.push_back(
-            {farthestDistance(instance.worldBox, eye),
-             {clipFromWorld * instance.worldFromObject, static_cast<int>(i), instance.firstTriangle,
-              static_cast<int>(instance.triangles), instance.culled,
-              glm::determinant(glm::mat3(instance.worldFromObject)) < 0}});
+        RasterOrder::Ranges ranges = triangles.ranges(instance, eye);
+        const float distance = farthestDistance(instance.worldBox, eye);
+        for (const bool culled : {true, false}) {
+            std::vector<RasterRange>& list = culled ? ranges.culled : ranges.whole;
+            if (list.empty()) continue;
+            order.push_back({distance,
+                             {clipFromWorld * instance.worldFromObject, static_cast<int>(i),
+                              instance.firstTriangle, std::move(list), culled,
+                              glm::determinant(glm::mat3(instance.worldFromObject)) < 0}});
+        }
     }
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<RasterDraw> draws;
-    for (const auto& [distance, draw] : order) draws.push_back(draw);
+    for (auto& [distance, draw] : order) draws.push_back(std::move(draw));
     return draws;
 }
 

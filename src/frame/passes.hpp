@@ -14,8 +14,8 @@ namespace vitrine {
 void visibilityPass(PassContext& context, Texture& records);
 
 /// What the rasteriser is to draw: the meshes that may be in view, the nearest first.
-std::vector<RasterDraw> rasterDraws(std::span<const PackedInstance> instances,
-                                    const FrameBlock& block);
+std::vector<RasterDraw> rasterDraws(PassContext& context,
+                                    std::span<const PackedInstance> instances);
 /// Camera rays by rasterising the meshes, then tracing the fields in front of them.
 void rasterPass(PassContext& context, std::span<const RasterDraw> draws, const DepthImage& depth,
                 Texture& records);

@@ -10,11 +10,21 @@ namespace vitrine {
 RasterRunner::RasterRunner() {
     glGenFramebuffers(1, &framebuffer_);
     glGenVertexArrays(1, &vertexArray_);
+    glGenBuffers(1, &indices_);
 }
 
 RasterRunner::~RasterRunner() {
     glDeleteFramebuffers(1, &framebuffer_);
     glDeleteVertexArrays(1, &vertexArray_);
+    glDeleteBuffers(1, &indices_);
+}
+
+void RasterRunner::setIndices(std::span<const uint32_t> indices) {
+    glBindVertexArray(vertexArray_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()),
+                 indices.data(), GL_STATIC_DRAW);
+    checkGl("uploading the order of triangles");
 }
 
 void RasterRunner::run(const Program& program, const UniformBlock& block,
@@ -59,13 +69,22 @@ void RasterRunner::run(const Program& program, const UniformBlock& block,
     const GLint matrix = glGetUniformLocation(program.id(), "clipFromObject");
     const GLint instance = glGetUniformLocation(program.id(), "drawnInstance");
     const GLint first = glGetUniformLocation(program.id(), "firstTriangle");
+    std::vector<GLsizei> counts;
+    std::vector<const void*> offsets;
     for (const RasterDraw& draw : draws) {
         glUniformMatrix4fv(matrix, 1, GL_FALSE, &draw.clipFromObject[0][0]);
         glUniform1i(instance, draw.instance);
         glUniform1i(first, draw.firstTriangle);
         draw.culled ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
         glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
-        glDrawArrays(GL_TRIANGLES, 0, 3 * draw.triangles);
+        counts.clear();
+        offsets.clear();
+        for (const RasterRange& range : draw.ranges) {
+            counts.push_back(static_cast<GLsizei>(range.count));
+            offsets.push_back(static_cast<const char*>(nullptr) + range.first * sizeof(uint32_t));
+        }
+        glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                            static_cast<GLsizei>(counts.size()));
     }
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);

@@ -3,6 +3,7 @@
 // first hits that use the rasteriser.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,12 +15,17 @@
 
 namespace vitrine {
 
-/// One instance of a mesh; the members become uniforms of pass/raster.glsl.
+/// Of the indices, in which a triangle has three.
+struct RasterRange {
+    uint32_t first = 0, count = 0;
+};
+
+/// Triangles of one instance of a mesh; the members become uniforms of pass/raster.glsl.
 struct RasterDraw {
     glm::mat4 clipFromObject{1};
     int instance = 0;
     int firstTriangle = 0;
-    int triangles = 0;
+    std::vector<RasterRange> ranges;
     bool culled = false;    ///< triangles seen from behind are not drawn
     bool mirrored = false;  ///< the matrix turns left into right, and fronts into backs
 };
@@ -38,6 +44,9 @@ class RasterRunner {
     RasterRunner(const RasterRunner&) = delete;
     RasterRunner& operator=(const RasterRunner&) = delete;
 
+    /// Of the corners, triangle by triangle; a mesh counts its own from 0. Ranges refer to this.
+    void setIndices(std::span<const uint32_t> indices);
+
     /// Clears depth to infinity and the RGBA32UI output to `clearTo` in all channels, then draws.
     /// Depth is reversed: 1 at the near plane, 0 at infinity (Reed, Depth Precision Visualized,
     /// 2015), so that floats are as precise far away as they are near.
@@ -45,7 +54,7 @@ class RasterRunner {
              uint32_t clearTo, std::span<const RasterDraw> draws);
 
   private:
-    unsigned framebuffer_ = 0, vertexArray_ = 0;
+    unsigned framebuffer_ = 0, vertexArray_ = 0, indices_ = 0;
 };
 
 }  // namespace vitrine

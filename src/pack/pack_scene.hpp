@@ -23,6 +23,7 @@ struct PackedInstance {
     Aabb objectBox;                         ///< of the mesh, or the bounds of the field
     std::shared_ptr<const MeshAsset> mesh;  ///< null: a field
     bool culled = false;                    ///< not seen from behind
+    bool filtered = false;                  ///< rays pass parts of it: holes, veils, glass
 };
 
 /// What changes with time, and what a hand on a slider changes: all that is cheap to make again.

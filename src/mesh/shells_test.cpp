@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/shells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "mesh/primitives.hpp"
+
+namespace vitrine {
+namespace {
+
+Mesh without(Mesh mesh, size_t triangle) {
+    mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(triangle));
+    return mesh;
+}
+
+Mesh insideOut(Mesh mesh) {
+    for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
+    return mesh;
+}
+
+Mesh joined(const Mesh& a, const Mesh& b, const glm::vec3& shift) {
+    Mesh mesh = a;
+    const auto first = static_cast<uint32_t>(mesh.positions.size());
+    for (const glm::vec3& p : b.positions) mesh.positions.push_back(p + shift);
+    for (const glm::uvec3& t : b.triangles) mesh.triangles.push_back(t + first);
+    return mesh;
+}
+
+}  // namespace
+
+TEST(Shells, SolidsAreFound) {
+    const glm::vec3 outside(3, 2, 1), inside(0.1f, 0, 0);
+    for (const Mesh& mesh :
+         {makeBox(glm::vec3(0.5f)), makeSphere(0.5f, 12), makeCylinder(0.4f, 0.5f, 16)}) {
+        const Shells found = findShells(mesh);
+        ASSERT_EQ(found.shells.size(), 1u);
+        EXPECT_EQ(found.shells[0].count, mesh.triangles.size());
+        EXPECT_TRUE(found.shells[0].holes.empty());
+        EXPECT_TRUE(found.shells[0].hidesBacks(outside));
+        EXPECT_FALSE(found.shells[0].hidesBacks(inside));
+    }
+}
+
+TEST(Shells, WhatIsNoSolidIsNot) {
+    EXPECT_TRUE(findShells(insideOut(makeBox(glm::vec3(0.5f)))).shells.empty());
+    // A ring surrounds no point of its own.
+    EXPECT_TRUE(findShells(makeTorus(0.5f, 0.2f, 16, 8)).shells.empty());
+    Mesh turned = makeBox(glm::vec3(0.5f));
+    std::swap(turned.triangles[3].y, turned.triangles[3].z);
+    EXPECT_TRUE(findShells(turned).shells.empty());
+    EXPECT_TRUE(findShells(makePlane(1, 1)).shells.empty());
+}
+
+TEST(Shells, TwiceAroundIsNoSolid) {
+    // Two boxes in one place, each cut along an edge and joined to the other there.
+    Mesh mesh = joined(makeBox(glm::vec3(0.5f)), makeBox(glm::vec3(0.5f)), glm::vec3(0));
+    EXPECT_TRUE(findShells(mesh).shells.empty());
+}
+
+TEST(Shells, BacksAreSeenThroughAHole) {
+    const Mesh whole = makeBox(glm::vec3(0.5f));
+    for (size_t t = 0; t < whole.triangles.size(); ++t) {
+        const glm::uvec3 gone = whole.triangles[t];
+        const glm::vec3 middle =
+            (whole.positions[gone.x] + whole.positions[gone.y] + whole.positions[gone.z]) / 3.0f;
+        const Shells found = findShells(without(whole, t));
+        ASSERT_EQ(found.shells.size(), 1u);
+        EXPECT_FALSE(found.shells[0].hidesBacks(4.0f * middle)) << t;
+        EXPECT_TRUE(found.shells[0].hidesBacks(-4.0f * middle)) << t;
+        EXPECT_TRUE(found.shells[0].hidesBacks(glm::vec3(-3, -3, -3) * glm::sign(middle))) << t;
+    }
+}
+
+TEST(Shells, EveryTriangleIsInTheOrderOnce) {
+    const Mesh mesh =
+        joined(joined(makeTorus(0.5f, 0.2f, 16, 8), makeBox(glm::vec3(0.5f)), glm::vec3(2, 0, 0)),
+               makeSphere(0.3f, 8), glm::vec3(4, 0, 0));
+    const Shells found = findShells(mesh);
+    EXPECT_EQ(found.shells.size(), 2u);
+    std::vector<uint32_t> sorted = found.order, all(mesh.triangles.size());
+    std::sort(sorted.begin(), sorted.end());
+    std::iota(all.begin(), all.end(), 0u);
+    EXPECT_EQ(sorted, all);
+    for (const Shell& shell : found.shells)
+        for (uint32_t i = shell.first; i < shell.first + shell.count; ++i)
+            EXPECT_GE(mesh.positions[mesh.triangles[found.order[i]].x].x, shell.box.min.x);
+}
+
+}  // namespace vitrine
