@@ -4,7 +4,6 @@
 // sinks in from above. Every step is a smooth union or difference of exact distances, so the slope
 // never exceeds 1. It stands on y = 0 at every moment.
 // bounds[-0.72, -0.05, -0.48,  0.82, 1.30, 0.48]
-// lipschitz[1.0]
 uniform float morph;   // slider[0.0, 0.0, 1.0] From torus to mug
 uniform float moving;  // slider[0.0, 0.0, 1.0] Back and forth with time
 uniform float period;  // slider[1.0, 8.0, 60.0] Seconds there and back

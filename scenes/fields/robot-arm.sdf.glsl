@@ -2,7 +2,6 @@
 // One arm of the robot: the origin is the shoulder, it hangs along -y, the palm turns to +z.
 // A negative scale along x makes the other one.
 // bounds[-0.40, -0.90, -0.26,  0.40, 0.52, 0.80]
-// lipschitz[1.05]
 // parts[shell, trim, metal]
 uniform float elbow;  // slider[0.0, 25.0, 140.0] Bend of the elbow, degrees
 uniform float grip;   // slider[0.0, 35.0, 90.0] Curl of the fingers, degrees

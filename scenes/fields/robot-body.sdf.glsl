@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The robot's body. The origin lies between the hips; the head sits on (0, 0.80, 0).
 // bounds[-0.52, -0.20, -0.42,  0.52, 0.90, 0.44]
-// lipschitz[1.1]
 // parts[shell, panel, trim, metal, lamp, belly]
 uniform float breath;  // slider[0.0, 1.0, 2.0] How deeply it breathes
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The robot's head, about one unit across. The origin is the joint of the neck; +z is the face.
-// bounds[-0.70, -0.06, -0.56,  0.70, 1.34, 0.52]
-// lipschitz[1.05]
+// bounds[-0.67, -0.06, -0.48,  0.67, 1.42, 0.48]
 // parts[shell, visor, trim, ear, metal, lamp]
 uniform float roundness;  // slider[0.10, 0.29, 0.36] Radius of the head's edges
 uniform float antenna;    // slider[0.0, 0.30, 0.40] Length of the antenna

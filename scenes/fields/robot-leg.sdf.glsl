@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One leg of the robot: the origin is the hip, the sole stands at y = -0.62 when the knee is
 // straight. A negative scale along x makes the other one.
-// bounds[-0.22, -0.64, -0.46,  0.22, 0.14, 0.56]
-// lipschitz[1.05]
+// bounds[-0.22, -0.84, -0.82,  0.22, 0.50, 0.86]
 // parts[shell, trim, metal]
 uniform float hip;   // slider[-60.0, 0.0, 90.0] The thigh swings forward, degrees
 uniform float knee;  // slider[0.0, 0.0, 120.0] Bend of the knee, degrees
