@@ -136,11 +136,9 @@ class GltfPictureTest : public test::GpuTest {
         write("model.glb", model.glb());
         return draw("[[node]]\ninclude = \"model.glb\"\n", view);
     }
-    /// Rounding moves the edges of texels by a pixel here and there; what the tests plant or compare
-    /// against differs in 5 % and more.
     static void expectSame(const ImageRgba8& a, const ImageRgba8& b) {
         const Comparison c = compareImages(a, b);
-        EXPECT_LT(c.fractionOver, 0.002) << c.pixelsOver << " pixels, PSNR " << c.psnr;
+        EXPECT_LT(c.fractionOver, 0.001) << c.pixelsOver << " pixels, PSNR " << c.psnr;
     }
     static void expectDifferent(const ImageRgba8& a, const ImageRgba8& b) {
         EXPECT_GT(compareImages(a, b).fractionOver, 0.05);

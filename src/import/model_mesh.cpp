@@ -62,11 +62,28 @@ glm::vec3 unit(const glm::dvec3& v) {
     return length > 0 ? glm::vec3(v / length) : glm::vec3(0, 1, 0);
 }
 
+/// A tangent with a sign stands for a square frame. Where the transform slants one, the mesh is
+/// left without tangents, and the renderer takes them from the edges of its triangles, which slant
+/// along.
+bool slantsTangents(const Mesh& mesh, const glm::dmat3& linear, const glm::dmat3& normalMatrix) {
+    constexpr double kCosine = 0.9999;
+    for (size_t i = 0; i < mesh.tangents.size(); ++i) {
+        const glm::dvec3 n(mesh.normals[i]), t(mesh.tangents[i]);
+        if (t == glm::dvec3(0)) continue;
+        const glm::dvec3 moved = linear * glm::cross(n, t);
+        const glm::dvec3 square = glm::cross(normalMatrix * n, linear * t);
+        const double cosine = glm::dot(moved, square) / (glm::length(moved) * glm::length(square));
+        if (std::abs(cosine) < kCosine) return true;
+    }
+    return false;
+}
+
 void move(Mesh& mesh, const glm::mat4& worldFromObject) {
     const glm::dmat3 linear(worldFromObject);
     const glm::dmat3 normalMatrix = glm::transpose(glm::inverse(linear));
     // A reflection turns triangles inside out, and the cross product that gives the bitangent.
     const bool mirrors = glm::determinant(linear) < 0;
+    if (slantsTangents(mesh, linear, normalMatrix)) mesh.tangents.clear();
     for (glm::vec3& p : mesh.positions) p = glm::vec3(worldFromObject * glm::vec4(p, 1));
     for (glm::vec3& n : mesh.normals) n = unit(normalMatrix * glm::dvec3(n));
     for (glm::vec4& t : mesh.tangents)
