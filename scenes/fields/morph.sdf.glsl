@@ -8,24 +8,6 @@ uniform float morph;   // slider[0.0, 0.0, 1.0] From torus to mug
 uniform float moving;  // slider[0.0, 0.0, 1.0] Back and forth with time
 uniform float period;  // slider[1.0, 8.0, 60.0] Seconds there and back
 
-// An upright cylinder with rounded edges.
-float cylinder(vec3 p, float radius, float halfHeight, float r) {
-    vec2 q = vec2(length(p.xz) - radius, abs(p.y) - halfHeight) + r;
-    return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - r;
-}
-
-// The ring stands upright.
-float torus(vec3 p, float radius, float tube) {
-    return length(vec2(length(p.xy) - radius, p.z)) - tube;
-}
-
-float smoothMin(float a, float b, float r) {
-    float h = max(r - abs(a - b), 0.0);
-    return min(a, b) - 0.25 * h * h / r;
-}
-
-float smoothMax(float a, float b, float r) { return -smoothMin(-a, -b, r); }
-
 float sdf(vec3 p) {
     float m = mix(morph, 0.5 - 0.5 * cos(6.2831853 * time / period), moving);
     float grow = smoothstep(0.0, 0.62, m);
@@ -36,14 +18,14 @@ float sdf(vec3 p) {
     float halfHeight = mix(0.08, 0.43, grow);
     float foot = max(halfHeight, ringRadius + tube);
     vec3 q = p - vec3(0.0, foot, 0.0);
-    float ring = torus(q - vec3(mix(0.0, 0.40, grow), 0.0, 0.0), ringRadius, tube);
-    float body = cylinder(q - vec3(mix(-0.40, 0.0, grow), 0.0, 0.0), mix(0.08, 0.37, grow),
+    float ring = sdTorus((q - vec3(mix(0.0, 0.40, grow), 0.0, 0.0)).xzy, ringRadius, tube);
+    float body = sdRoundedCylinder(q - vec3(mix(-0.40, 0.0, grow), 0.0, 0.0), mix(0.08, 0.37, grow),
                           halfHeight, mix(0.08, 0.07, grow));
-    float solid = smoothMin(ring, body, mix(0.01, 0.09, grow) + 0.3 * grow * (1.0 - grow));
+    float solid = opSmoothUnion(ring, body, mix(0.01, 0.09, grow) + 0.3 * grow * (1.0 - grow));
 
     // The hollow is a cylinder that is open above: its bottom sinks, and it widens.
     float bottom = mix(halfHeight + 0.25, -halfHeight + 0.065, hollow);
     vec3 h = q - vec3(0.0, bottom + 1.0, 0.0);
-    float inside = cylinder(h, mix(0.12, 0.315, hollow), 1.0, 0.06);
-    return smoothMax(solid, -inside, 0.035);
+    float inside = sdRoundedCylinder(h, mix(0.12, 0.315, hollow), 1.0, 0.06);
+    return opSmoothIntersection(solid, -inside, 0.035);
 }

@@ -8,31 +8,6 @@ uniform float grip;   // slider[0.0, 35.0, 90.0] Curl of the fingers, degrees
 uniform float twist;  // slider[-90.0, 0.0, 90.0] Turn of the forearm, degrees
 uniform float wave;   // slider[0.0, 0.0, 40.0] How far the forearm swings as it waves, degrees
 
-float capsule(vec3 p, vec3 a, vec3 b, float r) {
-    vec3 pa = p - a;
-    vec3 ba = b - a;
-    return length(pa - ba * clamp(dot(pa, ba) / dot(ba, ba), 0.0, 1.0)) - r;
-}
-
-float roundCone(vec3 p, float r1, float r2, float h) {
-    float b = (r1 - r2) / h;
-    float a = sqrt(1.0 - b * b);
-    vec2 q = vec2(length(p.xz), p.y);
-    float k = dot(q, vec2(-b, a));
-    if (k < 0.0) return length(q) - r1;
-    if (k > a * h) return length(q - vec2(0.0, h)) - r2;
-    return dot(q, vec2(a, b)) - r1;
-}
-
-float smoothMin(float a, float b, float r) {
-    float h = max(r - abs(a - b), 0.0);
-    return min(a, b) - 0.25 * h * h / r;
-}
-
-float ring(vec3 p, float radius, float tube) {
-    return length(vec2(length(p.xz) - radius, p.y)) - tube;
-}
-
 vec2 turned(vec2 v, float degrees) {
     float a = radians(degrees);
     return mat2(cos(a), -sin(a), sin(a), cos(a)) * v;
@@ -45,10 +20,10 @@ void take(inout vec2 nearest, float d, float part) {
 vec2 sdf(vec3 p) {
     vec2 nearest = vec2(length(p) - 0.125, 0.0);
     // Upper arm: a tube with rings.
-    float tube = capsule(p, vec3(0.0), vec3(0.0, -0.26, 0.0), 0.052);
+    float tube = sdCapsule(p, vec3(0.0), vec3(0.0, -0.26, 0.0), 0.052);
     vec3 r = p + vec3(0.0, 0.18, 0.0);
     r.y -= 0.038 * clamp(floor(r.y / 0.038 + 0.5), -1.0, 1.0);
-    take(nearest, min(tube, ring(r, 0.050, 0.019)), 1.0);
+    take(nearest, min(tube, sdTorus(r, 0.050, 0.019)), 1.0);
     take(nearest, length(p + vec3(0.0, 0.29, 0.0)) - 0.078, 2.0);
 
     // The forearm's frame: bent at the elbow, turned about itself.
@@ -56,22 +31,22 @@ vec2 sdf(vec3 p) {
     q.zy = turned(q.zy, elbow + wave * sin(5.0 * time));
     q.xz = turned(q.xz, twist);
     q = vec3(q.x, -q.y, q.z);
-    take(nearest, roundCone(q - vec3(0.0, 0.075, 0.0), 0.080, 0.112, 0.16), 0.0);
-    take(nearest, ring(q - vec3(0.0, 0.325, 0.0), 0.078, 0.024), 2.0);
+    take(nearest, sdRoundCone(q - vec3(0.0, 0.075, 0.0), 0.080, 0.112, 0.16), 0.0);
+    take(nearest, sdTorus(q - vec3(0.0, 0.325, 0.0), 0.078, 0.024), 2.0);
 
     // Hand: a palm and three fingers with a thumb, curled about the knuckles.
     vec3 h = q - vec3(0.0, 0.385, 0.0);
     float palm = length(vec3(h.x, h.y, h.z / 0.8)) * 0.8 - 0.062;
-    palm = smoothMin(palm, capsule(h, vec3(-0.035, 0.04, 0.0), vec3(0.035, 0.04, 0.0), 0.045), 0.04);
+    palm = opSmoothUnion(palm, sdCapsule(h, vec3(-0.035, 0.04, 0.0), vec3(0.035, 0.04, 0.0), 0.045), 0.04);
     vec3 f = h - vec3(0.0, 0.075, 0.0);
     f.zy = turned(f.zy, -grip);
     f.x -= 0.056 * clamp(floor(f.x / 0.056 + 0.5), -1.0, 1.0);
-    float fingers = capsule(f, vec3(0.0), vec3(0.0, 0.055, 0.0), 0.025);
+    float fingers = sdCapsule(f, vec3(0.0), vec3(0.0, 0.055, 0.0), 0.025);
     vec3 g = f - vec3(0.0, 0.06, 0.0);
     g.zy = turned(g.zy, -grip);
-    fingers = min(fingers, capsule(g, vec3(0.0), vec3(0.0, 0.04, 0.0), 0.024));
+    fingers = min(fingers, sdCapsule(g, vec3(0.0), vec3(0.0, 0.04, 0.0), 0.024));
     vec3 thumbTip = vec3(-0.115, 0.055, 0.045);
-    float thumb = capsule(h, vec3(-0.05, 0.0, 0.02), thumbTip, 0.026);
-    take(nearest, smoothMin(palm, min(fingers, thumb), 0.02), 1.0);
+    float thumb = sdCapsule(h, vec3(-0.05, 0.0, 0.02), thumbTip, 0.026);
+    take(nearest, opSmoothUnion(palm, min(fingers, thumb), 0.02), 1.0);
     return nearest;
 }

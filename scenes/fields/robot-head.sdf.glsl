@@ -7,34 +7,11 @@ uniform float antenna;    // slider[0.0, 0.30, 0.40] Length of the antenna
 
 const vec3 middle = vec3(0.0, 0.42, 0.0);
 
-float roundBox(vec3 p, vec3 size, float r) {
-    vec3 q = abs(p) - size + r;
-    return length(max(q, 0.0)) + min(max(q.x, max(q.y, q.z)), 0.0) - r;
-}
-
-float roundRectangle(vec2 p, vec2 size, float r) {
-    vec2 q = abs(p) - size + r;
-    return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - r;
-}
-
 // A cylinder along x with rounded edges.
 float disc(vec3 p, float radius, float halfLength, float r) {
     vec2 q = vec2(length(p.yz) - radius, abs(p.x) - halfLength) + r;
     return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - r;
 }
-
-float capsule(vec3 p, vec3 a, vec3 b, float r) {
-    vec3 pa = p - a;
-    vec3 ba = b - a;
-    return length(pa - ba * clamp(dot(pa, ba) / dot(ba, ba), 0.0, 1.0)) - r;
-}
-
-float smoothMin(float a, float b, float r) {
-    float h = max(r - abs(a - b), 0.0);
-    return min(a, b) - 0.25 * h * h / r;
-}
-
-float smoothMax(float a, float b, float r) { return -smoothMin(-a, -b, r); }
 
 void take(inout vec2 nearest, float d, float part) {
     if (d < nearest.x) nearest = vec2(d, part);
@@ -42,16 +19,16 @@ void take(inout vec2 nearest, float d, float part) {
 
 vec2 sdf(vec3 p) {
     vec3 q = p - middle;
-    float skull = roundBox(q, vec3(0.50, 0.38, 0.42), roundness);
+    float skull = sdRoundedBox(q, vec3(0.50, 0.38, 0.42), roundness);
 
     // The face: a pocket in the shell, in which glass lies a little below the surface.
     vec2 face = q.xy - vec2(0.0, 0.0);
-    float pocket = max(roundRectangle(face, vec2(0.375, 0.265), 0.17), 0.1 - q.z);
+    float pocket = max(sd2RoundedBox(face, vec2(0.375, 0.265), 0.17), 0.1 - q.z);
     float seam = max(abs(q.z + 0.10) - 0.006, -(skull + 0.014));
-    float shell = smoothMax(max(skull, -seam), -pocket, 0.025);
+    float shell = opSmoothIntersection(max(skull, -seam), -pocket, 0.025);
     vec2 nearest = vec2(shell, 0.0);
 
-    float glass = smoothMax(skull + 0.022, max(roundRectangle(face, vec2(0.369, 0.259), 0.165), 0.1 - q.z),
+    float glass = opSmoothIntersection(skull + 0.022, max(sd2RoundedBox(face, vec2(0.369, 0.259), 0.165), 0.1 - q.z),
                             0.03);
     take(nearest, glass, 1.0);
 
@@ -66,11 +43,11 @@ vec2 sdf(vec3 p) {
 
     // Antenna: a dark socket, a metal stalk, and a lamp.
     vec3 a = q - vec3(0.0, 0.37, -0.06);
-    float socket = smoothMin(roundBox(a, vec3(0.075, 0.03, 0.075), 0.03),
-                             capsule(a, vec3(0.0), vec3(0.0, 0.06, 0.0), 0.035), 0.04);
+    float socket = opSmoothUnion(sdRoundedBox(a, vec3(0.075, 0.03, 0.075), 0.03),
+                             sdCapsule(a, vec3(0.0), vec3(0.0, 0.06, 0.0), 0.035), 0.04);
     take(nearest, socket, 2.0);
     vec3 tip = vec3(0.0, 0.05 + antenna, -0.03 - 0.1 * antenna);
-    take(nearest, capsule(a, vec3(0.0), tip, 0.016), 4.0);
+    take(nearest, sdCapsule(a, vec3(0.0), tip, 0.016), 4.0);
     take(nearest, length(a - tip - vec3(0.0, 0.05, 0.0)) - 0.075, 5.0);
 
     // The neck's collar.
