@@ -4,14 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
-#include "base/file.hpp"
 #include "base/text.hpp"
 #include "gltf/pose.hpp"
+#include "import/imported_files.hpp"
 #include "import/model_animation.hpp"
-#include "import/model_material.hpp"
-#include "import/model_mesh.hpp"
 #include "import/model_names.hpp"
 #include "scene/import_overrides.hpp"
 #include "scene/place.hpp"
@@ -26,28 +23,10 @@ constexpr size_t kMaxNodes = 1u << 18;
 /// And numbers of their animations.
 constexpr size_t kMaxKeyNumbers = 1u << 25;
 
-/// A file and what of it is in the scene already.
-struct ImportedFile {
-    std::string path, name;  ///< `name`: in front of the names of its materials
-    std::shared_ptr<const GltfModel> model;
-    std::vector<std::string> partNames;
-    std::vector<std::shared_ptr<const ImageRgba8>> pictures;  ///< one an image, when used
-    std::vector<std::string> materials;  ///< names in the scene, one a part name, when used
-    struct MeshShape {
-        bool known = false;
-        std::string name;  ///< of the shape in the scene; "" if there are no triangles
-        std::vector<std::string> parts;
-    };
-    std::vector<MeshShape> shapes;             ///< one a mesh
-    std::optional<std::vector<Shape>> joined;  ///< one shape of the whole scene, or none
-};
-
 class Importer {
   public:
     Importer(Scene& scene, ModelLibrary& library, Diagnostics& diagnostics)
-        : scene_(scene), library_(library), diagnostics_(diagnostics) {
-        for (const Material& m : scene.materials) materialNames_.take(m.name);
-        for (const Shape& s : scene.shapes) shapeNames_.take(s.name);
+        : scene_(scene), diagnostics_(diagnostics), files_(scene, library, diagnostics) {
         for (const Node& n : scene.nodes) nodeNames_.take(n.name);
         for (const Camera& c : scene.cameras) cameraNames_.take(c.name);
         for (const Light& l : scene.lights) lightNames_.take(l.name);
@@ -56,7 +35,7 @@ class Importer {
     void importAll() {
         const size_t shapes = scene_.shapes.size(), nodes = scene_.nodes.size();
         for (size_t i = 0; i < shapes; ++i)
-            if (isModelFile(scene_.shapes[i].mesh.name)) fillShape(i);
+            if (isModelFile(scene_.shapes[i].mesh.name)) files_.fillShape(i);
         for (size_t i = 0; i < nodes; ++i)
             if (!scene_.nodes[i].include.empty()) include(i);
         // Nodes place the lights, and only then can a light be put elsewhere.
@@ -88,125 +67,6 @@ class Importer {
             scene_.cameras.erase(scene_.cameras.begin());
     }
 
-    ImportedFile* open(const Reference& reference) {
-        std::filesystem::path path;
-        try {
-            path = resolveInside(scene_.folder, reference.name);
-        } catch (const std::invalid_argument& e) {
-            diagnostics_.error(reference.where, fmt::format("'{}': {}", reference.name, e.what()));
-            return nullptr;
-        }
-        std::error_code error;
-        if (!std::filesystem::exists(path, error)) {
-            diagnostics_.error(reference.where,
-                               fmt::format("'{}': there is no such file", reference.name));
-            return nullptr;
-        }
-        const auto model = library_.read(path, diagnostics_);
-        if (model == nullptr) return nullptr;
-        for (const auto& known : files_)
-            if (known->model == model) return known.get();
-        auto file = std::make_unique<ImportedFile>();
-        file->path = path.string();
-        file->name = fileNames_.make(path.stem().string());
-        file->model = model;
-        file->partNames = partNamesOf(*model);
-        file->pictures.resize(model->images.size());
-        file->materials.resize(file->partNames.size());
-        file->shapes.resize(model->meshes.size());
-        files_.push_back(std::move(file));
-        return files_.back().get();
-    }
-
-    std::shared_ptr<const ImageRgba8> picture(ImportedFile& file, int image) {
-        auto& known = file.pictures[static_cast<size_t>(image)];
-        if (known == nullptr)
-            known = std::make_shared<ImageRgba8>(decodeGltfImage(
-                file.model->images[static_cast<size_t>(image)], file.path, diagnostics_));
-        return known;
-    }
-
-    /// The name in the scene of a model's material, which is there from now on.
-    const std::string& material(ImportedFile& file, int number) {
-        const size_t part =
-            number == kNoIndex ? file.partNames.size() - 1 : static_cast<size_t>(number);
-        std::string& name = file.materials[part];
-        if (!name.empty()) return name;
-        name = materialNames_.make(file.name + '/' + file.partNames[part]);
-        Material made =
-            materialOf(*file.model, number, [&](int image) { return picture(file, image); });
-        made.name = name;
-        made.where = {file.path};
-        scene_.materials.push_back(std::move(made));
-        return name;
-    }
-
-    void giveMesh(Shape& shape, ImportedFile& file, ModelMesh mesh) {
-        for (size_t i = 0; i < mesh.materials.size(); ++i)
-            shape.partMaterials.emplace_back(mesh.mesh.partNames[i],
-                                             material(file, mesh.materials[i]));
-        shape.imported = std::make_shared<Mesh>(std::move(mesh.mesh));
-    }
-
-    /// `[shape.X] mesh = "f.glb"`
-    void fillShape(size_t number) {
-        const Reference reference = scene_.shapes[number].mesh;
-        ImportedFile* file = open(reference);
-        if (file == nullptr) return;
-        if (!file->joined) file->joined = joined(*file, reference);
-        if (file->joined->empty()) return;
-        scene_.shapes[number].imported = file->joined->front().imported;
-        scene_.shapes[number].partMaterials = file->joined->front().partMaterials;
-    }
-
-    std::vector<Shape> joined(ImportedFile& file, const Reference& reference) {
-        const MeshSize size = sizeOfScene(*file.model);
-        const GltfLimits limits;
-        if (size.vertices > limits.vertices || size.triangles > limits.triangles) {
-            diagnostics_.error(reference.where,
-                               fmt::format("'{}' is too large for one shape: {} triangles, as its "
-                                           "meshes stand in many places; use it by "
-                                           "include",
-                                           reference.name, size.triangles));
-            return {};
-        }
-        size_t skipped = 0;
-        auto mesh = joinScene(*file.model, skipped);
-        if (skipped > 0) warnSkipped(reference, skipped);
-        if (!mesh) {
-            diagnostics_.error(reference.where,
-                               fmt::format("'{}' has no triangles to show", reference.name));
-            return {};
-        }
-        std::vector<Shape> shapes(1);
-        giveMesh(shapes[0], file, std::move(*mesh));
-        return shapes;
-    }
-
-    void warnSkipped(const Reference& reference, size_t count) {
-        diagnostics_.warning(
-            reference.where,
-            fmt::format("{} node{} of '{}' left out: with {} parents too flat, small or large",
-                        count, count == 1 ? "" : "s", reference.name,
-                        count == 1 ? "its" : "their"));
-    }
-
-    const ImportedFile::MeshShape& shape(ImportedFile& file, int mesh) {
-        ImportedFile::MeshShape& known = file.shapes[static_cast<size_t>(mesh)];
-        if (known.known) return known;
-        known.known = true;
-        const GltfMesh& source = file.model->meshes[static_cast<size_t>(mesh)];
-        auto joined = joinMesh(*file.model, source);
-        if (!joined) return known;
-        Shape made;
-        made.name = known.name = shapeNames_.make(file.name + '/' + source.name);
-        made.where = {file.path};
-        known.parts = joined->mesh.partNames;
-        giveMesh(made, file, std::move(*joined));
-        scene_.shapes.push_back(std::move(made));
-        return known;
-    }
-
     /// `[[node]] include = "f.glb"`
     void include(size_t number) {
         const Reference reference = scene_.nodes[number].include;
@@ -214,7 +74,7 @@ class Importer {
             diagnostics_.error(reference.where, "what is included is a .gltf or .glb file");
             return;
         }
-        ImportedFile* file = open(reference);
+        ImportedFile* file = files_.open(reference);
         if (file == nullptr) return;
         const GltfModel& model = *file->model;
         const std::vector<int> order = nodesOfScene(model, model.scene);
@@ -247,7 +107,7 @@ class Importer {
     /// Adds the tracks of the animation that plays.
     void animate(const GltfModel& model, const Node& root,
                  const std::vector<std::optional<size_t>>& sceneNode) {
-        const int number = animationOf(model, root);
+        const int number = chosenAnimation(model, root, diagnostics_);
         if (number == kNoIndex) return;
         const GltfAnimation& animation = model.animations[static_cast<size_t>(number)];
         keyNumbers_ += sizeOf(animation);
@@ -258,37 +118,6 @@ class Importer {
         }
         for (AnimationTrack& track : tracksOf(animation, sceneNode, root.include.where))
             scene_.animations.push_back(std::move(track));
-    }
-
-    /// The one that a node of the scene chooses of its model.
-    int animationOf(const GltfModel& model, const Node& root) {
-        std::vector<std::string> names;
-        for (const GltfAnimation& animation : model.animations) names.push_back(animation.name);
-        const std::string& wanted = root.animation.name;
-        const auto found = std::find(names.begin(), names.end(), wanted);
-        if (found != names.end()) return static_cast<int>(found - names.begin());
-        if (!wanted.empty()) {
-            if (wanted != "none")
-                diagnostics_.error(root.animation.where,
-                                   fmt::format("'{}' has no animation '{}'{}", root.include.name,
-                                               wanted, didYouMean(wanted, names)));
-            return kNoIndex;
-        }
-        const int first = firstAnimation(model);
-        if (first == kNoIndex || names.size() == 1) return first;
-        constexpr size_t kMostNames = 12;
-        const std::string playing = names[static_cast<size_t>(first)];
-        names.erase(names.begin() + first);
-        const size_t unnamed = names.size() - std::min(names.size(), kMostNames);
-        names.resize(names.size() - unnamed);
-        diagnostics_.warning(
-            root.include.where,
-            printable(fmt::format(
-                "'{}' has more than one animation: '{}' plays, and not '{}'{}; choose with "
-                "animation = \"NAME\"",
-                root.include.name, playing, fmt::join(names, "', '"),
-                unnamed == 0 ? "" : fmt::format(" and {} more", unnamed))));
-        return first;
     }
 
     /// Parts that a node names must be materials of its model.
@@ -318,7 +147,7 @@ class Importer {
             node.scale = source.scale;
         }
         if (source.mesh != kNoIndex) {
-            const ImportedFile::MeshShape& mesh = shape(file, source.mesh);
+            const ImportedFile::MeshShape& mesh = files_.shape(file, source.mesh);
             node.shape = {mesh.name, root.include.where};
             if (!mesh.name.empty()) node.material = root.material;
             for (size_t i = 0; i < root.parts.size(); ++i)
@@ -379,7 +208,7 @@ class Importer {
                     scene_.nodes[i].parts.clear();
                     ++skipped;
                 }
-            if (skipped > 0) warnSkipped(included.reference, skipped);
+            if (skipped > 0) warnSkippedNodes(included.reference, skipped, diagnostics_);
         }
         for (const Attached& attached : attached_) place(attached, moved[attached.node]);
     }
@@ -406,10 +235,9 @@ class Importer {
     };
 
     Scene& scene_;
-    ModelLibrary& library_;
     Diagnostics& diagnostics_;
-    UniqueNames materialNames_, shapeNames_, nodeNames_, cameraNames_, lightNames_, fileNames_;
-    std::vector<std::unique_ptr<ImportedFile>> files_;
+    ImportedFiles files_;
+    UniqueNames nodeNames_, cameraNames_, lightNames_;
     std::vector<Attached> attached_;
     std::vector<Included> includes_;
     std::vector<glm::mat4> world_;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "import/model_animation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "gltf/pose.hpp"
 #include "import/model_mesh.hpp"
+#include "scene/document.hpp"
 
 namespace vitrine {
 namespace {
@@ -39,6 +43,36 @@ int firstAnimation(const GltfModel& model) {
     for (size_t i = 0; i < model.animations.size(); ++i)
         if (!model.animations[i].channels.empty()) return static_cast<int>(i);
     return kNoIndex;
+}
+
+int chosenAnimation(const GltfModel& model, const Node& root, Diagnostics& diagnostics) {
+    std::vector<std::string> names;
+    for (const GltfAnimation& animation : model.animations) names.push_back(animation.name);
+    const std::string& wanted = root.animation.name;
+    const auto found = std::find(names.begin(), names.end(), wanted);
+    if (found != names.end()) return static_cast<int>(found - names.begin());
+    if (!wanted.empty()) {
+        if (wanted != "none")
+            diagnostics.error(root.animation.where,
+                              fmt::format("'{}' has no animation '{}'{}", root.include.name, wanted,
+                                          didYouMean(wanted, names)));
+        return kNoIndex;
+    }
+    const int first = firstAnimation(model);
+    if (first == kNoIndex || names.size() == 1) return first;
+    constexpr size_t kMostNames = 12;
+    const std::string playing = names[static_cast<size_t>(first)];
+    names.erase(names.begin() + first);
+    const size_t unnamed = names.size() - std::min(names.size(), kMostNames);
+    names.resize(names.size() - unnamed);
+    diagnostics.warning(
+        root.include.where,
+        printable(
+            fmt::format("'{}' has more than one animation: '{}' plays, and not '{}'{}; choose with "
+                        "animation = \"NAME\"",
+                        root.include.name, playing, fmt::join(names, "', '"),
+                        unnamed == 0 ? "" : fmt::format(" and {} more", unnamed))));
+    return first;
 }
 
 size_t sizeOf(const GltfAnimation& animation) {

@@ -12,6 +12,9 @@ namespace vitrine {
 /// The animation that plays unless another is asked for: the first that moves nodes, or kNoIndex.
 int firstAnimation(const GltfModel& model);
 
+/// The one that a node of the scene chooses of its model, or kNoIndex. Says which others there are.
+int chosenAnimation(const GltfModel& model, const Node& root, Diagnostics& diagnostics);
+
 /// Numbers in the keys of an animation; a file can be included many times.
 size_t sizeOf(const GltfAnimation& animation);
 
