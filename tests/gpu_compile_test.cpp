@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// No program takes more than a second from text to its first pixels, on an idle machine, without
-// the driver's cache: with the meshes, fields and materials of the largest lesson. llvmpipe
-// generates code at the first draw, so that is measured too. The limit asserted is four times that,
-// because test machines are shared; the printed table is what to read.
+// No program takes more than a second from text to its first pixels without the driver's cache:
+// with the features and snippets of the scenes that ask most of it. llvmpipe generates code at the
+// first draw, so that is measured too. The seconds are the processor's on a software driver, which
+// compiles where it is called. A busy machine's caches and clock stretch these too, by up to one
+// and a half as measured, and so is the limit; the printed table is what to read.
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 
 #include "frame/passes.hpp"
@@ -14,7 +16,7 @@
 namespace vitrine {
 namespace {
 
-constexpr double kLimitSeconds = 4;
+constexpr double kLimitSeconds = 1.5;
 constexpr int kSide = 8;
 
 // Mesa reads this when it makes its first context.
@@ -22,17 +24,21 @@ const int kCacheIsOff = setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
 
 class CompileTest : public test::GpuTest {};
 
-double secondsOf(const std::function<void()>& work) {
+double secondsOf(const Context& gpu, const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
+    const std::clock_t cpuStart = std::clock();
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const std::clock_t cpuEnd = std::clock();
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    return gpu.info().software ? static_cast<double>(cpuEnd - cpuStart) / CLOCKS_PER_SEC
+                               : wall.count();
 }
 
 void measurePasses(const Context& gpu, const LoadedScene& loaded, Backend backend, bool counters) {
-    PassContext context(gpu.info(),
-                        ProgramSet(gpu.info(), backend, loaded.packed.shaders,
-                                   featuresOf(loaded.packed, counters)),
-                        counters);
+    PassContext context(
+        gpu.info(),
+        ProgramSet(gpu.info(), backend, loaded.packed.shaders, featuresOf(loaded.packed, counters)),
+        counters);
     context.scene.upload(loaded.packed);
     context.block = loaded.packed.block;
     packCamera(loaded.scene.cameras[0], kSide, kSide, context.block);
@@ -57,8 +63,8 @@ void measurePasses(const Context& gpu, const LoadedScene& loaded, Backend backen
         {"display", [&] { displayPass(context, after, picture); }},
     };
     for (const Step& step : steps) {
-        const double compile = secondsOf([&] { (void)context.programs.get(step.pass); });
-        const double draw = secondsOf([&] {
+        const double compile = secondsOf(gpu, [&] { (void)context.programs.get(step.pass); });
+        const double draw = secondsOf(gpu, [&] {
             step.draw();
             finishGpu();
         });
@@ -74,7 +80,7 @@ void measureQueries(const Context& gpu, const LoadedScene& loaded, Backend backe
     const std::vector<QueryRay> rays(1, {{0, 1, 5}, 0, {0, 0, -1}});
     query.prepare(rays);
     for (const bool any : {false, true}) {
-        const double seconds = secondsOf([&] { query.repeat(any); });
+        const double seconds = secondsOf(gpu, [&] { query.repeat(any); });
         fmt::print("{:<15} {:<9} {:<8} {:>8} {:>10} {:8.0f}\n", any ? "query_any" : "query_closest",
                    test::nameOf(backend), "no", "", "", 1e3 * seconds);
         EXPECT_LT(seconds, kLimitSeconds);
@@ -83,15 +89,20 @@ void measureQueries(const Context& gpu, const LoadedScene& loaded, Backend backe
 
 TEST_F(CompileTest, EveryProgramIsReadyInASecond) {
     ASSERT_EQ(kCacheIsOff, 0);
-    Diagnostics diagnostics;
-    const LoadedScene loaded = loadAll("scenes/lesson-both.toml", {}, diagnostics);
-    diagnostics.throwIfErrors();
-    fmt::print("{}\n{:<15} {:<9} {:<8} {:>8} {:>10} {:>8}\n", context().info().renderer, "program",
-               "back end", "counters", "text ms", "pixels ms", "sum ms");
-    for (const Backend backend : test::kBackends) {
-        for (const bool counters : {false, true})
+    fmt::print("{}\n", context().info().renderer);
+    const std::pair<const char*, bool> scenes[] = {
+        {"lesson-both", false}, {"lesson-both", true}, {"robot", false}, {"vitrine-case", false}};
+    for (const auto& [name, counters] : scenes) {
+        SCOPED_TRACE(name);
+        Diagnostics diagnostics;
+        const LoadedScene loaded = loadAll(fmt::format("scenes/{}.toml", name), {}, diagnostics);
+        diagnostics.throwIfErrors();
+        fmt::print("{:<15} {:<9} {:<8} {:>8} {:>10} {:>8}\n", name, "back end", "counters",
+                   "text ms", "pixels ms", "sum ms");
+        for (const Backend backend : test::kBackends) {
             measurePasses(context(), loaded, backend, counters);
-        measureQueries(context(), loaded, backend);
+            if (!counters) measureQueries(context(), loaded, backend);
+        }
     }
 }
 
