@@ -116,6 +116,9 @@ TEST_F(RasterTest, MirroredAndSqueezedInstancesAndAnEyeInsideAMesh) {
 TEST_F(RasterTest, BacksAreSeenWhereTheyAreSeen) {
     Mesh open = makeBox(glm::vec3(0.5f)), reversed = makeBox(glm::vec3(0.5f));
     open.triangles.erase(open.triangles.begin());
+    Mesh tube = makeBox(glm::vec3(0.5f));
+    std::erase_if(tube.triangles,
+                  [&](const glm::uvec3& t) { return std::abs(tube.normals[t.x].z) > 0.5f; });
     for (glm::uvec3& t : reversed.triangles) std::swap(t.y, t.z);
     const Mesh solid = makeBox(glm::vec3(0.5f));
     struct Case {
@@ -133,7 +136,10 @@ TEST_F(RasterTest, BacksAreSeenWhereTheyAreSeen) {
                           {"into the hole", open, one, 0.6f * hole + glm::vec3(0.2f, 0.3f, 0.1f)},
                           {"into the mirrored hole", open, mirror,
                            glm::vec3(-1, 1, 1) * (0.6f * hole + glm::vec3(0.2f, 0.3f, 0.1f))},
-                          {"against the hole", open, one, -hole + glm::vec3(0.2f, 0.3f, 0.1f)}};
+                          {"against the hole", open, one, -hole + glm::vec3(0.2f, 0.3f, 0.1f)},
+                          {"into one end", tube, one, {0.9f, 0.7f, 1.7f}},
+                          {"into the other end", tube, one, {0.9f, 0.7f, -1.7f}},
+                          {"across the tube", tube, one, {1.7f, 0.9f, 0.3f}}};
     for (const bool veiled : {false, true})
         for (const Case& c : cases) {
             test::TestScene made;

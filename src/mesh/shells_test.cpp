@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "mesh/primitives.hpp"
@@ -26,6 +27,50 @@ Mesh joined(const Mesh& a, const Mesh& b, const glm::vec3& shift) {
     const auto first = static_cast<uint32_t>(mesh.positions.size());
     for (const glm::vec3& p : b.positions) mesh.positions.push_back(p + shift);
     for (const glm::uvec3& t : b.triangles) mesh.triangles.push_back(t + first);
+    return mesh;
+}
+
+/// The plainest of tracers, in double: is the first triangle that a ray meets seen from behind?
+bool meetsBackFirst(const Mesh& mesh, const glm::dvec3& eye, const glm::dvec3& direction) {
+    double nearest = std::numeric_limits<double>::infinity();
+    bool back = false;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 a = glm::dvec3(mesh.positions[t.x]) - eye,
+                         b = glm::dvec3(mesh.positions[t.y]) - eye,
+                         c = glm::dvec3(mesh.positions[t.z]) - eye;
+        const double u = glm::dot(direction, glm::cross(b, c)),
+                     v = glm::dot(direction, glm::cross(c, a)),
+                     w = glm::dot(direction, glm::cross(a, b));
+        if (std::min({u, v, w}) < 0 && std::max({u, v, w}) > 0) continue;
+        const glm::dvec3 n = glm::cross(b - a, c - a);
+        const double distance = glm::dot(a, n) / glm::dot(direction, n);
+        if (!(distance > 0 && distance < nearest)) continue;
+        nearest = distance;
+        back = glm::dot(direction, n) > 0;
+    }
+    return back;
+}
+
+/// Looks at every part of the mesh's box.
+bool seesBacks(const Mesh& mesh, const glm::vec3& eye) {
+    const Aabb box = bounds(mesh);
+    // Divisors that hit no edge of a mesh with round coordinates.
+    constexpr int kSteps = 13;
+    for (int i = 0; i < kSteps * kSteps * kSteps; ++i) {
+        const glm::dvec3 share = (glm::dvec3(i % kSteps, i / kSteps % kSteps, i / kSteps / kSteps) +
+                                  glm::dvec3(0.4567, 0.5432, 0.5123)) /
+                                 double(kSteps);
+        const glm::dvec3 at = glm::mix(glm::dvec3(box.min), glm::dvec3(box.max), share);
+        if (meetsBackFirst(mesh, eye, at - glm::dvec3(eye))) return true;
+    }
+    return false;
+}
+
+/// A box of size 1 without the sides that look along +axis and -axis.
+Mesh openAlong(int axis) {
+    Mesh mesh = makeBox(glm::vec3(0.5f));
+    std::erase_if(mesh.triangles,
+                  [&](const glm::uvec3& t) { return std::abs(mesh.normals[t.x][axis]) > 0.5f; });
     return mesh;
 }
 
@@ -71,6 +116,34 @@ TEST(Shells, BacksAreSeenThroughAHole) {
         EXPECT_FALSE(found.shells[0].hidesBacks(4.0f * middle)) << t;
         EXPECT_TRUE(found.shells[0].hidesBacks(-4.0f * middle)) << t;
         EXPECT_TRUE(found.shells[0].hidesBacks(glm::vec3(-3, -3, -3) * glm::sign(middle))) << t;
+    }
+}
+
+TEST(Shells, BacksAreSeenThroughEitherOfTwoHoles) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const Mesh tube = openAlong(axis);
+        const Shells found = findShells(tube);
+        ASSERT_EQ(found.shells.size(), 1u);
+        glm::vec3 along(0), across(0);
+        along[axis] = 1;
+        across[(axis + 1) % 3] = 1;
+        struct Look {
+            glm::vec3 eye;
+            bool backs;
+        };
+        for (const Look& look :
+             {Look{2.0f * along + 0.3f * across, true}, Look{-2.0f * along + 0.3f * across, true},
+              Look{2.0f * across + 0.3f * along, false},
+              Look{-2.0f * across - 0.3f * along, false}}) {
+            EXPECT_EQ(seesBacks(tube, look.eye), look.backs) << axis;
+            EXPECT_EQ(found.shells[0].hidesBacks(look.eye), !look.backs) << axis;
+        }
+        // Beside the tube and beyond its end: backs are seen from there if it looks in.
+        for (const float beyond : {-0.7f, 0.7f}) {
+            const glm::vec3 eye = beyond * along + 0.9f * across;
+            EXPECT_TRUE(seesBacks(tube, eye)) << axis;
+            EXPECT_FALSE(found.shells[0].hidesBacks(eye)) << axis;
+        }
     }
 }
 
