@@ -87,14 +87,16 @@ TEST_F(ShaderDialects, AllVariantsAreAccepted) {
     int compiled = 0;
     ProgramFeatures everything{true, true, true, true};
     everything.layers = everything.transmission = everything.filters = everything.culling = true;
-    everything.sky = everything.subsurface = true;
+    everything.sky = everything.subsurface = everything.cones = true;
+    ProgramFeatures conesAlone;
+    conesAlone.cones = true;
     for (const PassShader& pass : passShaders())
         for (const Target& target : kTargets) {
             if (!entryExists(pass.name, target.stage)) continue;
             for (const ProgramFeatures& features :
                  {ProgramFeatures{true, true, false}, ProgramFeatures{true, true, true},
                   ProgramFeatures{true, false, false}, ProgramFeatures{false, true, false},
-                  everything}) {
+                  conesAlone, everything}) {
                 if (!pass.traces && !features.textures &&
                     (!features.meshes || !features.fields || features.counters))
                     continue;

@@ -35,12 +35,30 @@ vec2 boxInterval(vec3 boxMin, vec3 boxMax, vec3 origin, vec3 inverse) {
 }
 
 // `origin` and `direction` in object space; `radius` is the pixel cone's in the world at t = 0.
-// `tStart`: above 0 the ray stands on the surface there, which let it pass. Fields that let rays pass
+// `number`: of the instance. `tStart`: above 0 the ray stands on the surface there, which let it pass. Fields that let rays pass
 // are marched from whatever side the ray is on; others hold what starts in them.
-FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction, float radius,
+FieldHit marchField(Instance instance, int number, bool wanted, vec3 origin, vec3 direction, float radius,
                     float tStart, float tMax) {
     FieldHit result = FieldHit(false, tMax, 0, vec3(0.0));
+#if HAS_CONES
+    bool passes = (instance.flags & VITRINE_INSTANCE_FILTERED) != 0;
+    bool cone = coneAsks == kAskPenumbra && !passes;
+    bool taps = coneAsks == kAskTaps;
+    bool own = taps && number == coneOwner;
+    wanted = wanted && !(taps && passes);
+    vec3 margin = cone || taps ? coneMargin(instance, origin, direction, tMax) : vec3(0.0);
+    vec2 interval = boxInterval(instance.boxMin - margin, instance.boxMax + margin, origin,
+                                safeInverse(direction));
+    if (taps && interval.x <= min(interval.y, tMax)) interval = vec2(0.0, tMax);
+    float worldPerObject = 1.0 / length(direction);
+    float slopeProbe = 0.0;
+    float first = 0.0;        // of the field that the taps start on: its value there, and its
+    float slope = 1.0;        // slope, which need not be one
+    float lastDistance = 0.0;
+    float lastStep = 0.0;
+#else
     vec2 interval = boxInterval(instance.boxMin, instance.boxMax, origin, safeInverse(direction));
+#endif
     interval.x = max(interval.x, tStart);
     float tEnd = min(interval.y, tMax);
     vec3 entry = origin + interval.x * direction;
@@ -53,6 +71,10 @@ FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction,
                                min(length(instance.objectFromWorld[1].xyz),
                                    length(instance.objectFromWorld[2].xyz)));
     int state = wanted && t <= tEnd ? kMarching : kFinished;
+#if HAS_CONES
+    slopeProbe = max(2.0 * radius, max(0.005 * tMax, 50.0 * instance.finest / objectPerWorld));
+    if (taps) way = tapPlace(own ? 0 : 2, slopeProbe, tMax);
+#endif
     bindField(instance.shape, instance.parameters);
     int probes = 0;
     float tolerance = 0.0;
@@ -76,6 +98,19 @@ FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction,
         vec2 d = evaluateField(instance.shape, p);
         // A field that is not a number is a miss: nothing can be said about the surface.
         if (isnan(d.x) && !probing) state = kFinished;
+#if HAS_CONES
+        // A field ends at its box, and outside of it means nothing.
+        float outside = distanceToBox(p, instance.boxMin, instance.boxMax);
+        if ((cone || taps) && outside > 0.0) d.x = max(d.x, outside);
+        int tap = own ? i : i + 2;
+        if (taps && state != kFinished) {
+            if (tap == 0) first = d.x;
+            if (tap == 1) slope = max((d.x - first) / slopeProbe, 0.05 * objectPerWorld);
+            if (tap >= 2) takeTap(tap - 2, own ? (d.x - first) / slope : d.x * worldPerObject);
+            way = tapPlace(tap + 1, slopeProbe, tMax);
+            if (tap == kTapSteps - 1) state = kFinished;
+        } else
+#endif
         if (probing) {
             gradient += corner * d.x;
             probes++;
@@ -104,6 +139,13 @@ FieldHit marchField(Instance instance, bool wanted, vec3 origin, vec3 direction,
                 state = kProbing;
 #endif
             } else {
+#if HAS_CONES
+                if (cone) {
+                    passNear(free * worldPerObject, t, lastDistance, lastStep);
+                    lastDistance = free * worldPerObject;
+                    lastStep = free * stepPerDistance;
+                }
+#endif
                 way += free * stepPerDistance;
                 t = interval.x + way;
                 if (t > tEnd) state = kFinished;

@@ -51,6 +51,7 @@ void Frame::use(const PackedMoment& moment) {
     context_.programs.require(moment);
     context_.block = moment.block;
     instances_ = moment.instances;
+    quick_ = moment.block.quick;
     fieldRoot_ = moment.fieldRoot;
     // Glass needs another set of paths, which begin() makes with the other images.
     if (moment.hasTransmission && !transmissive_) picture_ = {};
@@ -75,7 +76,13 @@ void Frame::begin(const FrameRequest& request) {
                         "allows {} a side",
                         width, height, request.ssaa, maxSide_));
     packCamera(request.camera, width, height, block);
-    if (request.samples <= 1) block.lens.x = 0;  // one sample looks through the middle of the lens
+    filters_ = request.camera.lens == LensBlur::kFilter && block.lens.x > 0 &&
+               !showsRecords(request.view) && !showsCounters(request.view);
+    if (filters_) block.lens.w = block.lens.x;
+    // One sample, and what is to be filtered, looks through the middle of the lens.
+    if (request.samples <= 1 || filters_) block.lens.x = 0;
+    // The reference takes no short cuts with light.
+    block.quick = request.mode == RenderMode::kReference ? glm::ivec4(0) : quick_;
     block.shading.x = request.time;
     block.image.w = static_cast<int>(request.view);
     block.path.x = static_cast<int>(request.mode);
@@ -86,6 +93,7 @@ void Frame::begin(const FrameRequest& request) {
     block.sampling.w = request.seed;
     chooseProbes();
     if (request.view == View::kBvh) treeBoxes_.upload(treeLevel(instances_, request.treeLevel));
+    if (filters_ && (resized || !lensFilter_)) lensFilter_.emplace(width, height, maxSide_);
     if (!resized) return;
     layers_ = {};
     if (request.layers) layers_.allocate(width, height);
@@ -187,6 +195,15 @@ void Frame::followBounces() {
     }
 }
 
+/// The mean of the samples, blurred if that is left to the filter.
+const Texture& Frame::finished() {
+    if (!filters_) return mean_[0];
+    // The bounces have overwritten the records.
+    context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
+    findFirstHits();
+    return lensFilter_->blur(context_, mean_[0], paths_[0].records);
+}
+
 ImageRgba8 Frame::picture() {
     if (request_.view == View::kBvh) {
         // The bounces have overwritten the records. Through the middles of the pixels, so that they
@@ -195,10 +212,11 @@ ImageRgba8 Frame::picture() {
         const SharpLens sharp(context_.block);
         findFirstHits();
     }
+    const Texture* light = &finished();
     const glm::ivec4 drawn = context_.block.image;
     context_.block.image.x = request_.width;
     context_.block.image.y = request_.height;
-    displayPass(context_, mean_[0], picture_);
+    displayPass(context_, *light, picture_);
     if (request_.view == View::kBvh) boxesPass(context_, treeBoxes_, paths_[0].records, picture_);
     context_.block.image = drawn;
     const std::vector<uint8_t> bytes = picture_.readBytes();
@@ -211,8 +229,8 @@ ImageRgba8 Frame::picture() {
     return image;
 }
 
-LayerImages Frame::layers() const {
-    return readLayers(mean_[0], layers_, request_.ssaa);
+LayerImages Frame::layers() {
+    return readLayers(finished(), layers_, request_.ssaa);
 }
 
 void Frame::addCounts() {

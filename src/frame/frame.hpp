@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "frame/passes.hpp"
@@ -62,7 +63,7 @@ class Frame {
     /// The picture of the samples so far, top row first.
     [[nodiscard]] ImageRgba8 picture();
     /// The picture as data. Needs a request with `layers`.
-    [[nodiscard]] LayerImages layers() const;
+    [[nodiscard]] LayerImages layers();
     [[nodiscard]] FrameStatistics statistics();
     [[nodiscard]] Backend backend() const { return context_.programs.backend(); }
     [[nodiscard]] double compileSeconds() const { return context_.programs.compileSeconds(); }
@@ -73,6 +74,7 @@ class Frame {
     void findFirstHits();
     void followPaths();
     void followBounces();
+    const Texture& finished();
     void addCounts();
 
     PassContext context_;
@@ -85,6 +87,9 @@ class Frame {
     DepthImage depth_;
     std::vector<PackedInstance> instances_;
     TreeBoxes treeBoxes_;
+    std::optional<LensFilter> lensFilter_;
+    glm::ivec4 quick_{0};   ///< approximations that the scene asks for
+    bool filters_ = false;  ///< the lens is a filter
     std::shared_ptr<const SkyAsset> sky_;
     int fieldRoot_ = -1;
     bool transmissive_ = false;  ///< there is glass

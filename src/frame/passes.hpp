@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frame/layers.hpp"
+#include "frame/lens_filter.hpp"
 #include "frame/pass_context.hpp"
 #include "frame/tree_boxes.hpp"
 #include "pack/pack_scene.hpp"
@@ -40,6 +41,12 @@ void boxesPass(PassContext& context, const TreeBoxes& boxes, const Texture& reco
                Texture& picture);
 /// What the records say, as data.
 void layersPass(PassContext& context, const Texture& records, LayerTextures& layers);
+
+/// The steps of LensFilter, in their order.
+void focusLevelsPass(PassContext& context, const Texture& mean, const Texture& records,
+                     FocusImages& images);
+void focusReachPass(PassContext& context, FocusImages& images);
+void focusPass(PassContext& context, const FocusImages& images, Texture& blurred);
 
 /// From the mean to 8 bits.
 void displayPass(PassContext& context, const Texture& mean, Texture& picture);

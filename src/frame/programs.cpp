@@ -35,6 +35,7 @@ const std::vector<PassShader>& passShaders() {
         {"raster", false, true}, {"visibility", true},     {"visibility_fields", true},
         {"light", true},         {"bounce", true},         {"accumulate", false},
         {"display", false},      {"view", false},          {"layers", false},
+        {"focus_levels", false}, {"focus_reach", false},   {"focus", false},
         {"boxes", false, true},  {"check_snippet", false}, {"probe_field", false},
         {"query_closest", true}, {"query_any", true}};
     return passes;
@@ -62,6 +63,7 @@ ProgramFeatures featuresOf(const PackedScene& scene, bool counters) {
     features.sky = scene.sky != nullptr;
     features.filters = scene.hasFilters;
     features.culling = scene.hasCulling;
+    features.cones = scene.hasCones;
     return features;
 }
 
@@ -80,6 +82,7 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
     key.defines["HAS_TANGENTS"] = features.textures && features.tangents ? 1 : 0;
     if (traces) {
         key.defines["HAS_CULLING"] = features.culling ? 1 : 0;
+        key.defines["HAS_CONES"] = pass == "light" && features.cones ? 1 : 0;
         const bool meshes = features.meshes && pass != "visibility_fields";
         key.defines["HAS_MESHES"] = meshes ? 1 : 0;
         key.defines["HAS_FIELDS"] = features.fields ? 1 : 0;
@@ -101,6 +104,7 @@ void ProgramSet::require(const PackedMoment& moment) {
     features_.subsurface |= moment.hasSubsurface;
     features_.filters |= moment.hasFilters;
     features_.culling |= moment.hasCulling;
+    features_.cones |= moment.hasCones;
     if (features_ != before) programs_.clear();
 }
 

@@ -29,6 +29,7 @@ struct ProgramFeatures {
     bool culling = false;       ///< meshes not seen from behind
     bool vertexExtras = false;  ///< second texture coordinates or colours of vertices
     bool tangents = false;
+    bool cones = false;  ///< shadow rays mind what they pass
     bool operator==(const ProgramFeatures&) const = default;
 };
 ProgramFeatures featuresOf(const PackedScene& scene, bool counters);

@@ -369,6 +369,10 @@ class Packer {
         b.sampling.w = r.seed;
         b.counts.y = r.marchSteps;
         b.counts.w = VITRINE_LOOP_BUDGET;
+        const bool fields = out_.fieldRoot >= 0;
+        b.quick.x = r.shadows == ShadowMethod::kPenumbra && b.probes.x > 0;
+        b.quick.y = r.aoMode == OcclusionMethod::kTaps && r.ao > 0 && fields;
+        out_.hasCones = b.quick.x != 0 || b.quick.y != 0;
     }
 
     const Scene& scene_;

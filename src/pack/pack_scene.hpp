@@ -38,6 +38,7 @@ struct PackedMoment {
     bool hasSubsurface = false;    ///< materials that light comes through, scattered
     bool hasFilters = false;       ///< instances that let rays pass: holes, veils, glass
     bool hasCulling = false;       ///< meshes that are not seen from behind
+    bool hasCones = false;         ///< shadow rays mind what they pass (shaders/trace/cone.glsl)
 
     std::vector<PackedInstance> instances;
     std::vector<std::string> materialNames;

@@ -51,7 +51,12 @@ const OptionTable<RenderSettings>& renderOptions() {
         {"tone_map", choice<R>({"none", "filmic", "aces", "agx", "reinhard"}, &R::toneMap), kNone,
          "curve from scene light to display light"},
         {"threshold", &R::threshold, kUnit, "a path ends when less than this of its light is left"},
-        {"ao", &R::ao, {0, 5}, "ambient occlusion by rays: 0 off, 1 natural, up to 5 dramatic"},
+        {"shadows", choice<R>({"sampled", "penumbra"}, &R::shadows), kNone,
+         "of lights with a size: sampled: all of it, exact, wants `--spp`; penumbra: one ray each, "
+         "soft behind fields and hard behind meshes"},
+        {"ao", &R::ao, {0, 5}, "ambient occlusion: 0 off, 1 natural, up to 5 dramatic"},
+        {"ao_mode", choice<R>({"rays", "taps"}, &R::aoMode), kNone,
+         "taps: on fields five looks along the normal, which see fields alone; meshes keep rays"},
         {"ao_distance", &R::aoDistance, kPositive, "reach of ambient occlusion, m"},
         {"sss_all", &R::sssAll, kUnit, "every material has at least this much subsurface"},
         {"march_steps", &R::marchSteps, {8, 2048}, "most steps of one ray through one field"},
@@ -104,6 +109,9 @@ const OptionTable<Camera>& cameraOptions() {
          &C::apertureBlades,
          {0, 16},
          "corners of blurred points of light; 0 (or below 3): round"},
+        {"lens", choice<C>({"sampled", "filter"}, &C::lens), kNone,
+         "who blurs with f_stop: sampled: rays through all of the lens, wants `--spp`; filter: one "
+         "sharp sample, blurred by its depth"},
     };
     return table;
 }
