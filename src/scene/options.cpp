@@ -259,7 +259,10 @@ const OptionTable<PlaneShape>& planeOptions() {
 const OptionTable<TorusShape>& torusOptions() {
     static const OptionTable<TorusShape> table{
         {"radius", &TorusShape::radius, kPositive, "from the centre to the middle of the tube, m"},
-        {"tube", &TorusShape::tube, kPositive, "radius of the tube, m"}};
+        {"tube", &TorusShape::tube, kPositive, "radius of the tube, m"},
+        {"segments", &TorusShape::segments, {3, 2048}, "quads around the ring"},
+        {"sides", &TorusShape::sides, {3, 1024}, "quads around the tube"},
+        {"arc", &TorusShape::arc, {1, 360}, "part of the ring from +x towards -z, degrees"}};
     return table;
 }
 

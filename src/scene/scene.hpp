@@ -216,6 +216,9 @@ struct PlaneShape {
 struct TorusShape {
     float radius = 0.5f;
     float tube = 0.2f;
+    int segments = 96;
+    int sides = 48;
+    float arc = 360;  ///< degrees
 };
 struct CylinderShape {
     float radius = 0.5f;
