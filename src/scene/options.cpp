@@ -54,7 +54,7 @@ const OptionTable<RenderSettings>& renderOptions() {
         {"ao", &R::ao, {0, 5}, "ambient occlusion by rays: 0 off, 1 natural, up to 5 dramatic"},
         {"ao_distance", &R::aoDistance, kPositive, "reach of ambient occlusion, m"},
         {"sss_all", &R::sssAll, kUnit, "every material has at least this much subsurface"},
-        {"march_steps", &R::marchSteps, {8, 2048}, "most steps of one ray through one field"},
+        {"march_steps", &R::marchSteps, {8, 4096}, "most steps of one ray through one field"},
         {"seed", &R::seed, {0, 2147483647}, "start of the random numbers (`--seed` wins)"},
     };
     return table;

@@ -53,7 +53,7 @@ struct RenderSettings {
     float ao = 1;
     float aoDistance = 2;
     float sssAll = 0;  ///< least subsurface of every material
-    int marchSteps = 256;
+    int marchSteps = 1024;
     int seed = 0;
 };
 
