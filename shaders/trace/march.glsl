@@ -116,9 +116,9 @@ FieldHit marchField(Instance instance, int number, bool wanted, vec3 origin, vec
             probes++;
             if (probes == 4) state = kFinished;
         } else {
-            // A fifth of the pixel's footprint: below what a picture shows, above what floats lose.
+            // A twentieth of the pixel's radius: below what mirror images show, above what floats lose.
             tolerance = max(instance.finest,
-                            0.2 * (radius + frame.cameraEye.w * t) * objectPerWorld);
+                            0.05 * (radius + frame.cameraEye.w * t) * objectPerWorld);
             float free = d.x;
             bool hit = d.x < tolerance;
 #if HAS_FILTERS
@@ -129,7 +129,9 @@ FieldHit marchField(Instance instance, int number, bool wanted, vec3 origin, vec
 #endif
             if (hit) {
                 result.hit = true;
-                result.t = t;
+                // What is left is free as well: a ray that comes straight ends on the surface.
+                way += max(free, 0.0) * stepPerDistance;
+                result.t = interval.x + way;
                 result.part = int(d.y + 0.5);
 #if TRACE_ANY && HAS_FILTERS
                 state = passable ? kProbing : kFinished;

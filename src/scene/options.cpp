@@ -59,7 +59,7 @@ const OptionTable<RenderSettings>& renderOptions() {
          "taps: on fields five looks along the normal, which see fields alone; meshes keep rays"},
         {"ao_distance", &R::aoDistance, kPositive, "reach of ambient occlusion, m"},
         {"sss_all", &R::sssAll, kUnit, "every material has at least this much subsurface"},
-        {"march_steps", &R::marchSteps, {8, 2048}, "most steps of one ray through one field"},
+        {"march_steps", &R::marchSteps, {8, 4096}, "most steps of one ray through one field"},
         {"seed", &R::seed, {0, 2147483647}, "start of the random numbers (`--seed` wins)"},
     };
     return table;
@@ -267,7 +267,10 @@ const OptionTable<PlaneShape>& planeOptions() {
 const OptionTable<TorusShape>& torusOptions() {
     static const OptionTable<TorusShape> table{
         {"radius", &TorusShape::radius, kPositive, "from the centre to the middle of the tube, m"},
-        {"tube", &TorusShape::tube, kPositive, "radius of the tube, m"}};
+        {"tube", &TorusShape::tube, kPositive, "radius of the tube, m"},
+        {"segments", &TorusShape::segments, {3, 2048}, "quads around the ring"},
+        {"sides", &TorusShape::sides, {3, 1024}, "quads around the tube"},
+        {"arc", &TorusShape::arc, {1, 360}, "part of the ring from +x towards -z, degrees"}};
     return table;
 }
 

@@ -61,7 +61,7 @@ struct RenderSettings {
     OcclusionMethod aoMode = OcclusionMethod::kRays;
     float aoDistance = 2;
     float sssAll = 0;  ///< least subsurface of every material
-    int marchSteps = 256;
+    int marchSteps = 1024;
     int seed = 0;
 };
 
@@ -229,6 +229,9 @@ struct PlaneShape {
 struct TorusShape {
     float radius = 0.5f;
     float tube = 0.2f;
+    int segments = 96;
+    int sides = 48;
+    float arc = 360;  ///< degrees
 };
 struct CylinderShape {
     float radius = 0.5f;
