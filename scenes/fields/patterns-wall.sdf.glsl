@@ -3,6 +3,7 @@
 // pattern returns, which the material's own call of it colours.
 // bounds[-1.95, 0.0, -0.19, 1.95, 1.72, 0.19]
 // parts[bricks, coping]
+// lipschitz[2.9]
 uniform vec2 brick;   // slider[(0.1, 0.04), (0.25, 0.085), (0.5, 0.3)] A brick with its joint, m
 uniform float joint;  // slider[0.008, 0.012, 0.03] Width of the joints, m
 
