@@ -8,11 +8,18 @@
 #include "scene/fetch.glsl"
 #include "generated/field.glsl"
 
+#if HAS_CURVATURE && !TRACE_ANY
+#define FIND_CURVATURE 1
+#else
+#define FIND_CURVATURE 0
+#endif
+
 struct FieldHit {
     bool hit;
     float t;
     int part;
     vec3 normal;  // object space, unit; zero where a shadow ray asked
+    float curvature;  // mean, 1/m in the world; 0 where nobody asks
 };
 
 const int kMostSteps = 4096;  // of one march: an eighth of what all loops of a pixel may take
@@ -20,6 +27,12 @@ const int kMostSteps = 4096;  // of one march: an eighth of what all loops of a 
 const int kMarching = 0;
 const int kProbing = 1;  // four evaluations around the hit
 const int kFinished = 2;
+#if FIND_CURVATURE
+const int kBending = 3;  // four more, along the surface
+const int kProbes = 8;
+#else
+const int kProbes = 4;
+#endif
 
 vec3 tetrahedronCorner(int i) {
     return vec3((i & 1) == 0 ? 1.0 : -1.0, (i & 2) == 0 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
@@ -39,7 +52,7 @@ vec2 boxInterval(vec3 boxMin, vec3 boxMax, vec3 origin, vec3 inverse) {
 // are marched from whatever side the ray is on; others hold what starts in them.
 FieldHit marchField(Instance instance, int number, bool wanted, vec3 origin, vec3 direction, float radius,
                     float tStart, float tMax) {
-    FieldHit result = FieldHit(false, tMax, 0, vec3(0.0));
+    FieldHit result = FieldHit(false, tMax, 0, vec3(0.0), 0.0);
 #if HAS_CONES
     bool passes = (instance.flags & VITRINE_INSTANCE_FILTERED) != 0;
     bool cone = coneAsks == kAskPenumbra && !passes;
@@ -84,20 +97,39 @@ FieldHit marchField(Instance instance, int number, bool wanted, vec3 origin, vec
     float side = 1.0;
 #endif
     vec3 gradient = vec3(0.0);
+#if FIND_CURVATURE
+    // By how much the field around the hit, in the plane that touches the surface, is larger than at
+    // the hit: half its second derivatives along the plane, and those add up to twice the mean
+    // curvature times the slope. On a cross of this radius, not in a limit, so that edges have a width.
+    float reach = 0.0;
+    vec3 along = vec3(0.0);
+    vec3 across = vec3(0.0);
+    float steepness = 1.0;
+    float centre = 0.0;
+    float around = 0.0;
+#endif
     // A field that needs shorter steps gets more of them.
     int mostSteps = min(int(float(frame.counts.y) / clamp(instance.stepScale, 1.0e-3, 1.0)), kMostSteps);
     // The last step may still be followed by its probes: a normal from fewer would be nonsense.
-    for (int i = 0; i < mostSteps + 4; i++) {
+    for (int i = 0; i < mostSteps + kProbes; i++) {
         if (state == kFinished || (state == kMarching && i >= mostSteps) || !mayLoop()) break;
         COUNT(countedSteps);
         vec3 p = entry + way * direction;
         vec3 corner = tetrahedronCorner(probes);
         bool probing = state == kProbing;
         // Wide enough that the differences stand out of the rounding.
-        if (probing) p += corner * max(tolerance, 16.0 * instance.finest);
+        float probe = max(tolerance, 16.0 * instance.finest);
+        if (probing) p += corner * probe;
+#if FIND_CURVATURE
+        bool bending = state == kBending;
+        if (bending) p += (probes > 5 ? across : along) * ((probes & 1) == 0 ? reach : -reach);
+#endif
         vec2 d = evaluateField(instance.shape, p);
         // A field that is not a number is a miss: nothing can be said about the surface.
         if (isnan(d.x) && !probing) state = kFinished;
+#if FIND_CURVATURE
+        bool landed = false;
+#endif
 #if HAS_CONES
         // A field ends at its box, and outside of it means nothing.
         float outside = distanceToBox(p, instance.boxMin, instance.boxMax);
@@ -111,10 +143,20 @@ FieldHit marchField(Instance instance, int number, bool wanted, vec3 origin, vec
             if (tap == kTapSteps - 1) state = kFinished;
         } else
 #endif
+#if FIND_CURVATURE
+        if (bending) {
+            around += d.x - centre;
+            probes++;
+            if (probes == kProbes) state = kFinished;
+        } else
+#endif
         if (probing) {
             gradient += corner * d.x;
             probes++;
             if (probes == 4) state = kFinished;
+#if FIND_CURVATURE
+            landed = probes == 4;
+#endif
         } else {
             // A twentieth of the pixel's radius: below what mirror images show, above what floats lose.
             tolerance = max(instance.finest,
@@ -130,9 +172,11 @@ FieldHit marchField(Instance instance, int number, bool wanted, vec3 origin, vec
             if (hit) {
                 result.hit = true;
                 // What is left is free as well: a ray that comes straight ends on the surface.
-                way += max(free, 0.0) * stepPerDistance;
-                result.t = interval.x + way;
+                result.t = t + max(free, 0.0) * stepPerDistance;
                 result.part = int(d.y + 0.5);
+#if FIND_CURVATURE
+                centre = d.x;
+#endif
 #if TRACE_ANY && HAS_FILTERS
                 state = passable ? kProbing : kFinished;
 #elif TRACE_ANY
@@ -153,7 +197,25 @@ FieldHit marchField(Instance instance, int number, bool wanted, vec3 origin, vec
                 if (t > tEnd) state = kFinished;
             }
         }
+#if FIND_CURVATURE
+        // A loop, because the lanes of a CPU skip nothing else.
+        while (landed && mayLoop()) {
+            landed = false;
+            int list = instance.materials;
+            int part = clamp(result.part, 0, int(fetchTable(list).y) - 1);
+            reach = fetchTable(list + part).z * objectPerWorld;
+            // Nearer, the differences would drown in the rounding.
+            if (reach > 0.0) reach = max(reach, 512.0 * instance.finest);
+            steepness = length(gradient) / (4.0 * probe);
+            state = reach > 0.0 && steepness > 0.0 ? kBending : kFinished;
+            orthonormalBasis(gradient / max(length(gradient), 1.0e-30), along, across);
+        }
+#endif
     }
+#if FIND_CURVATURE
+    float bend = around / (2.0 * max(steepness, 1.0e-3) * square(max(reach, 1.0e-12)));
+    if (abs(bend) < 1.0e6) result.curvature = bend * objectPerWorld;  // nor NaN
+#endif
     float size = length(gradient);
     result.normal = size > 0.0 ? gradient / size : -normalize(direction);
     return result;

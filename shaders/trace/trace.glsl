@@ -191,7 +191,7 @@ uvec4 trace(Ray ray, float tMax) {
                                         objectDirection, ray.radius, start, tBest);
             if (field.hit) {
                 vec3 n = transformNormal(instance.objectFromWorld, field.normal);
-                uvec4 found = packHit(uint(instanceIndex), uint(field.part),
+                uvec4 found = packHit(uint(instanceIndex), packPart(field.part, field.curvature),
                                       packNormal(normalize(n)), field.t);
 #if HAS_FILTERS
                 pending = filtered;

@@ -57,6 +57,8 @@ ProgramFeatures featuresOf(const PackedScene& scene, bool counters) {
     features.textures = scene.textures.any();
     features.layers = scene.hasLayers;
     features.subsurface = scene.hasSubsurface;
+    features.classic = scene.hasClassic;
+    features.curvature = scene.hasCurvature;
     features.vertexExtras = scene.hasVertexExtras;
     features.tangents = scene.hasTangents;
     features.transmission = scene.hasTransmission;
@@ -76,6 +78,8 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
     key.defines["HAS_LAYERS"] = features.layers ? 1 : 0;
     key.defines["HAS_TRANSMISSION"] = features.transmission ? 1 : 0;
     key.defines["HAS_SUBSURFACE"] = features.subsurface ? 1 : 0;
+    key.defines["HAS_CLASSIC"] = features.classic ? 1 : 0;
+    key.defines["HAS_CURVATURE"] = features.curvature ? 1 : 0;
     key.defines["HAS_SKY"] = features.sky ? 1 : 0;
     key.defines["HAS_FILTERS"] = (traces || pass == "raster") && features.filters ? 1 : 0;
     key.defines["HAS_VERTEX_EXTRAS"] = features.vertexExtras ? 1 : 0;
@@ -102,6 +106,8 @@ void ProgramSet::require(const PackedMoment& moment) {
     features_.layers |= moment.hasLayers;
     features_.transmission |= moment.hasTransmission;
     features_.subsurface |= moment.hasSubsurface;
+    features_.classic |= moment.hasClassic;
+    features_.curvature |= moment.hasCurvature;
     features_.filters |= moment.hasFilters;
     features_.culling |= moment.hasCulling;
     features_.cones |= moment.hasCones;

@@ -24,6 +24,8 @@ struct ProgramFeatures {
     bool layers = false;        ///< varnish, sheen
     bool transmission = false;  ///< glass
     bool subsurface = false;    ///< light that comes through, scattered
+    bool classic = false;       ///< materials that are lambert or blinn-phong
+    bool curvature = false;     ///< material snippets that ask for it
     bool sky = false;           ///< a picture of it
     bool filters = false;       ///< surfaces that let rays pass
     bool culling = false;       ///< meshes not seen from behind

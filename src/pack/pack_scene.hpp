@@ -36,6 +36,8 @@ struct PackedMoment {
     bool hasLayers = false;        ///< materials with varnish or sheen
     bool hasTransmission = false;  ///< materials that light passes
     bool hasSubsurface = false;    ///< materials that light comes through, scattered
+    bool hasClassic = false;       ///< materials that are lambert or blinn-phong
+    bool hasCurvature = false;     ///< snippets that ask for it
     bool hasFilters = false;       ///< instances that let rays pass: holes, veils, glass
     bool hasCulling = false;       ///< meshes that are not seen from behind
     bool hasCones = false;         ///< shadow rays mind what they pass (shaders/trace/cone.glsl)

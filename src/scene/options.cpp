@@ -232,8 +232,16 @@ const OptionTable<Material>& materialOptions() {
         {"subsurface_color", &M::subsurfaceColor, kUnit, "of that light, times base_color"},
         {"subsurface_radius", &M::subsurfaceRadius, kPositive,
          "m of the substance that leave 1/e (37 %) of it"},
+        {"model", choice<M>({"pbr", "lambert", "blinn-phong"}, &M::model), kNone,
+         "pbr: all of the above; lambert, blinn-phong: base_color and lights alone, as in "
+         "textbooks"},
+        {"highlight_color", &M::highlightColor, kUnit,
+         "blinn-phong: share of light in the highlight, the specular colour of textbooks"},
+        {"shininess", &M::shininess, {1, 1e5}, "blinn-phong: exponent of the highlight"},
         {"snippet", FileMember<M>{&M::snippet}, kNone,
          "NAME.mat.glsl with `void material(inout Surface s)`"},
+        {"curvature_radius", &M::curvatureRadius, kPositive,
+         "m: on fields, what `s.curvature` in a snippet is taken over"},
     };
     return table;
 }

@@ -167,6 +167,9 @@ enum class AlphaMode { kOpaque, kMask, kBlend };
 /// One channel of a picture, as it is or reversed (a glossiness is a reversed roughness).
 enum class Channel { kRed, kGreen, kBlue, kAlpha, kNotRed, kNotGreen, kNotBlue, kNotAlpha };
 
+/// How light is answered: by all the layers below, or as in the textbooks.
+enum class SurfaceModel { kPbr, kLambert, kBlinnPhong };
+
 /// glTF 2.0 metallic-roughness with the KHR_materials extensions of the same names.
 struct Material {
     std::string name;
@@ -212,7 +215,12 @@ struct Material {
     Color subsurfaceColor{{1, 1, 1}};  ///< of that light, times baseColor
     float subsurfaceRadius = 0.1f;     ///< m of substance that leave 1/e of it
 
-    Reference snippet;  ///< a .mat.glsl file
+    SurfaceModel model = SurfaceModel::kPbr;
+    Color highlightColor{{0.2f, 0.2f, 0.2f}};  ///< kBlinnPhong: what its highlight sends back
+    float shininess = 40;                      ///< kBlinnPhong: its exponent
+
+    Reference snippet;              ///< a .mat.glsl file
+    float curvatureRadius = 0.02f;  ///< m: what a field's curvature is taken over for the snippet
     std::vector<ParameterValue> set;
     SourceLocation where;
 };
