@@ -19,7 +19,8 @@ uvec4 marchPass(ivec2 pixel, Ray ray, int number) {
     float start = 0.0;
     bool pending = true;
     while (pending && mayLoop()) {
-        FieldHit hit = marchField(instance, true, origin, direction, ray.radius, start, kInfinity);
+        FieldHit hit =
+            marchField(instance, number, true, origin, direction, ray.radius, start, kInfinity);
         uvec4 candidate = fieldRecord(number, instance, hit);
         bool stops = hit.hit;
         bool asked = hit.hit && filtered;
@@ -34,7 +35,7 @@ uvec4 marchPass(ivec2 pixel, Ray ray, int number) {
         start = hit.t;
     }
 #else
-    FieldHit hit = marchField(instance, true, origin, direction, ray.radius, 0.0, kInfinity);
+    FieldHit hit = marchField(instance, number, true, origin, direction, ray.radius, 0.0, kInfinity);
     if (hit.hit) found = fieldRecord(number, instance, hit);
 #endif
     return found;
