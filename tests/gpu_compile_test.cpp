@@ -56,8 +56,9 @@ void measurePasses(const Context& gpu, const LoadedScene& loaded, Backend backen
     struct Step {
         const char* pass;
         std::function<void()> draw;
+        int onlyField = kAllFields;
     };
-    const Step steps[] = {
+    std::vector<Step> steps{
         {"visibility", [&] { visibilityPass(context, from.records); }},
         {"light", [&] { lightPass(context, from, before, after); }},
         {"bounce", [&] { bouncePass(context, from, to); }},
@@ -68,8 +69,15 @@ void measurePasses(const Context& gpu, const LoadedScene& loaded, Backend backen
         {"focus", [&] { focusPass(context, focus, after); }},
         {"display", [&] { displayPass(context, after, picture); }},
     };
+    const DepthImage depth(kSide, kSide);
+    for (const auto& group : fieldBoxes(context.block, loaded.packed.instances).groups)
+        steps.push_back({"march",
+                         [&, one = FieldBoxes{{group}, 0}] {
+                             marchPass(context, one, depth, true, from.records);
+                         },
+                         group.field});
     for (const Step& step : steps) {
-        const double compile = secondsOf(gpu, [&] { (void)context.programs.get(step.pass); });
+        const double compile = secondsOf(gpu, [&] { (void)context.programs.get(step.pass, step.onlyField); });
         const double draw = secondsOf(gpu, [&] {
             step.draw();
             finishGpu();

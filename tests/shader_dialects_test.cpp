@@ -23,13 +23,17 @@ struct Target {
     const char* glslangStage;
 };
 
-constexpr Target kTargets[] = {{ShaderStage::kFragment, Dialect::kEs300, "frag"},
+constexpr Target kTargets[] = {{ShaderStage::kVertex, Dialect::kEs300, "vert"},
+                               {ShaderStage::kVertex, Dialect::kGl410, "vert"},
+                               {ShaderStage::kFragment, Dialect::kEs300, "frag"},
                                {ShaderStage::kFragment, Dialect::kGl410, "frag"},
                                {ShaderStage::kFragment, Dialect::kGl450, "frag"},
                                {ShaderStage::kCompute, Dialect::kGl450, "comp"}};
 
 bool entryExists(const std::string& pass, ShaderStage stage) {
-    const std::string suffix = stage == ShaderStage::kCompute ? "comp" : "frag";
+    const std::string suffix = stage == ShaderStage::kCompute  ? "comp"
+                               : stage == ShaderStage::kVertex ? "vert"
+                                                               : "frag";
     for (const EmbeddedFile& file : embeddedShaders())
         if (file.name == fmt::format("entry/{}.{}.glsl", pass, suffix)) return true;
     return false;
@@ -101,7 +105,8 @@ TEST_F(ShaderDialects, AllVariantsAreAccepted) {
                 if (!pass.traces && !features.textures &&
                     (!features.meshes || !features.fields || features.counters))
                     continue;
-                const ShaderKey key = shaderKey(pass.name, features, target.stage, target.dialect);
+                ShaderKey key = shaderKey(pass.name, features, target.stage, target.dialect);
+                if (pass.name == "march") key.defines["ONLY_FIELD"] = 1;
                 const std::string log = validate(assembleShader(key, generated.includes).text,
                                                  target.glslangStage, folder);
                 EXPECT_EQ(log, "")

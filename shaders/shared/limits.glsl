@@ -17,6 +17,12 @@
 #define VITRINE_LEAF_BIT 0x80000000u
 #define VITRINE_LAST_TRIANGLE_BIT 0x80000000u
 
+// Where the rasteriser's view begins, m before the eye (pack/camera.hpp).
+#define VITRINE_NEAR_PLANE 0.001f
+
+// Boxes drawn in one call: GLSL ES 3.00 promises no more than 256 uniform vectors.
+#define VITRINE_BOXES_A_DRAW 32
+
 // Instances: kinds of geometry, and texels of an entry of the instance table.
 #define VITRINE_KIND_MESH 0
 #define VITRINE_KIND_FIELD 1

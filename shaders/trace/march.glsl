@@ -6,6 +6,7 @@
 // The surface normal is found in the same loop (tetrahedron rule, Quilez), so that the field is
 // called from a single place: compilers inline each call, and a second one doubles their work.
 #include "scene/fetch.glsl"
+#include "lib/hit_record.glsl"
 #include "generated/field.glsl"
 
 #if HAS_CURVATURE && !TRACE_ANY
@@ -219,4 +220,9 @@ FieldHit marchField(Instance instance, int number, bool wanted, vec3 origin, vec
     float size = length(gradient);
     result.normal = size > 0.0 ? gradient / size : -normalize(direction);
     return result;
+}
+
+uvec4 fieldRecord(int number, Instance instance, FieldHit hit) {
+    vec3 n = transformNormal(instance.objectFromWorld, hit.normal);
+    return packHit(uint(number), packPart(hit.part, hit.curvature), packNormal(normalize(n)), hit.t);
 }

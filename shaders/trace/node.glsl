@@ -12,11 +12,6 @@
 #include "trace/cone.glsl"
 #endif
 
-// 1 / direction without infinities: a zero component becomes a huge slope with the right answer.
-vec3 safeInverse(vec3 d) {
-    return 1.0 / mix(d, vec3(1.0e-18), lessThan(abs(d), vec3(1.0e-18)));
-}
-
 vec4 bytesOf(uint word) { return vec4(uvec4(word, word >> 8u, word >> 16u, word >> 24u) & 255u); }
 
 const uint kNoChild = 0xffffffffu;

@@ -190,9 +190,7 @@ uvec4 trace(Ray ray, float tMax) {
             FieldHit field = marchField(instance, instanceIndex, instance.kind == VITRINE_KIND_FIELD, objectOrigin,
                                         objectDirection, ray.radius, start, tBest);
             if (field.hit) {
-                vec3 n = transformNormal(instance.objectFromWorld, field.normal);
-                uvec4 found = packHit(uint(instanceIndex), packPart(field.part, field.curvature),
-                                      packNormal(normalize(n)), field.t);
+                uvec4 found = fieldRecord(instanceIndex, instance, field);
 #if HAS_FILTERS
                 pending = filtered;
                 candidate = found;

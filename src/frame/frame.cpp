@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "frame/first_hits.hpp"
 #include "pack/camera.hpp"
 
 namespace vitrine {
@@ -160,10 +161,8 @@ void Frame::findFirstHits() {
         visibilityPass(context_, paths_[0].records);
         return;
     }
-    const std::vector<RasterDraw> draws = rasterDraws(context_, instances_);
-    const bool fields = fieldRoot_ >= 0;
-    rasterPass(context_, draws, depth_, paths_[fields ? 1 : 0].records);
-    if (fields) visibilityFieldsPass(context_, fieldRoot_, paths_[1].records, paths_[0].records);
+    rasterFirstHits(context_, instances_, fieldRoot_, FieldFinder::kFaster, depth_,
+                    paths_[1].records, paths_[0].records);
 }
 
 /// Light at the first hits, then bounce by bounce. Leaves the result in radiance_[0].

@@ -32,12 +32,13 @@ std::string describeOwnError(const ShaderError& error) {
 
 const std::vector<PassShader>& passShaders() {
     static const std::vector<PassShader> passes{
-        {"raster", false, true}, {"visibility", true},     {"visibility_fields", true},
-        {"light", true},         {"bounce", true},         {"accumulate", false},
-        {"display", false},      {"view", false},          {"layers", false},
-        {"focus_levels", false}, {"focus_reach", false},   {"focus", false},
-        {"boxes", false, true},  {"check_snippet", false}, {"probe_field", false},
-        {"query_closest", true}, {"query_any", true}};
+        {"raster", false, true},  {"march", true, true},       {"march_counters", true, true},
+        {"visibility", true},     {"visibility_fields", true}, {"light", true},
+        {"bounce", true},         {"accumulate", false},       {"display", false},
+        {"view", false},          {"layers", false},           {"boxes", false, true},
+        {"focus_levels", false},  {"focus_reach", false},      {"focus", false},
+        {"check_snippet", false}, {"probe_field", false},      {"query_closest", true},
+        {"query_any", true}};
     return passes;
 }
 
@@ -73,7 +74,9 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
                     Dialect dialect) {
     ShaderKey key{pass, stage, dialect, {}};
     const bool traces = findPass(pass).traces;
-    key.defines["COUNTERS"] = traces && features.counters ? 1 : 0;
+    // What is drawn over itself cannot count in the same run as it finds.
+    const bool counts = pass == "march_counters" || (features.counters && pass != "march");
+    key.defines["COUNTERS"] = traces && counts ? 1 : 0;
     key.defines["HAS_TEXTURES"] = features.textures ? 1 : 0;
     key.defines["HAS_LAYERS"] = features.layers ? 1 : 0;
     key.defines["HAS_TRANSMISSION"] = features.transmission ? 1 : 0;
@@ -114,22 +117,24 @@ void ProgramSet::require(const PackedMoment& moment) {
     if (features_ != before) programs_.clear();
 }
 
-const Program& ProgramSet::get(const std::string& pass) {
-    const auto known = programs_.find(pass);
+const Program& ProgramSet::get(const std::string& pass, int onlyField) {
+    const std::string name = fmt::format("{} {}", pass, onlyField);
+    const auto known = programs_.find(name);
     if (known != programs_.end()) return known->second;
     const auto start = std::chrono::steady_clock::now();
     const Dialect dialect = gpu_.glslVersion >= 450 ? Dialect::kGl450 : Dialect::kGl410;
     const bool raster = findPass(pass).raster;
     const bool compute = backend_ == Backend::kCompute && !raster;
-    const ShaderKey key = shaderKey(
-        pass, features_, compute ? ShaderStage::kCompute : ShaderStage::kFragment, dialect);
+    ShaderKey key = shaderKey(pass, features_,
+                              compute ? ShaderStage::kCompute : ShaderStage::kFragment, dialect);
+    if (onlyField != kAllFields) key.defines["ONLY_FIELD"] = onlyField;
     try {
         Program program = raster    ? Program::raster(key, shaders_.includes)
                           : compute ? Program::compute(key, shaders_.includes)
                                     : Program::fragment(key, shaders_.includes);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         compileSeconds_ += elapsed.count();
-        return programs_[pass] = std::move(program);
+        return programs_[name] = std::move(program);
     } catch (const ShaderError& error) {
         explainShaderError(error, shaders_).throwIfErrors();
         throw std::logic_error(describeOwnError(error));

@@ -49,6 +49,9 @@ struct PassShader {
 const std::vector<PassShader>& passShaders();
 const PassShader& findPass(const std::string& name);
 
+/// In the place of a field's number.
+inline constexpr int kAllFields = -1;
+
 class ProgramSet {
   public:
     /// `backend` must be possible on this context; kAuto takes compute on a GPU that has it and
@@ -56,9 +59,10 @@ class ProgramSet {
     ProgramSet(const GpuInfo& gpu, Backend backend, GeneratedShaders shaders,
                ProgramFeatures features);
 
+    /// `onlyField`: the program knows this field and no other.
     /// Throws InputError, placed in the user's snippet, if a snippet does not compile, and
     /// std::logic_error with the place if one of our own shaders does not.
-    const Program& get(const std::string& pass);
+    const Program& get(const std::string& pass, int onlyField = kAllFields);
     /// From now on the programs can do what this moment needs besides what they could.
     void require(const PackedMoment& moment);
     [[nodiscard]] Backend backend() const { return backend_; }

@@ -337,7 +337,8 @@ class Packer {
         out_.instances.push_back({node.name, worldFromObject, worldBox, field != nullptr,
                                   firstTriangle, mesh != nullptr ? mesh->mesh->triangles.size() : 0,
                                   box, mesh, (flags & VITRINE_INSTANCE_CULLED) != 0,
-                                  (flags & VITRINE_INSTANCE_FILTERED) != 0});
+                                  (flags & VITRINE_INSTANCE_FILTERED) != 0,
+                                  field != nullptr ? static_cast<int>(indices.y) : 0});
     }
 
     /// Joins the tables; material lists get addresses of the whole.

@@ -24,6 +24,7 @@ struct PackedInstance {
     std::shared_ptr<const MeshAsset> mesh;  ///< null: a field
     bool culled = false;                    ///< not seen from behind
     bool filtered = false;                  ///< rays pass parts of it: holes, veils, glass
+    int snippet = 0;                        ///< of a field, in PackedScene::fieldSnippets
 };
 
 /// What changes with time, and what a hand on a slider changes: all that is cheap to make again.
