@@ -50,11 +50,11 @@ if [[ $wanted == *" robot "* ]]; then
     ${VITRINE:-./vitrine} render scenes/robot.toml -o docs/robot.png -r 960x540 --spp 32
     # Both ends of each parameter; they must differ by more than 0.3 % on average.
     n=10
-    while read -r key low high; do
+    while read -r key low high camera; do
         pair=()
         for value in "$low" "$high"; do
             pair+=("$work/$n ${key#material.}=${value//[\[\]]/}.png")  # ImageMagick reads [...] as a part
-            ${VITRINE:-./vitrine} render scenes/robot.toml -o "${pair[-1]}" -r 240x180 --spp 16 \
+            ${VITRINE:-./vitrine} render scenes/robot.toml -o "${pair[-1]}" -r 240x180 --spp 16 --camera "${camera:-portrait}" \
                 --set "$key=$value"
             n=$((n + 1))
         done
@@ -65,15 +65,15 @@ if [[ $wanted == *" robot "* ]]; then
         }
     done <<'PARAMETERS'
 light.key.polar 0 90
-light.key.azimuth -90 90
+light.key.azimuth -60 90
 light.key.color [1,0.45,0.15] [0.2,0.5,1]
 camera.focal_length 20 200
-camera.f_stop 1 22
+camera.f_stop 1 22 face
 camera.focus_distance 2.5 20
 render.exposure_percent 25 400
 render.gamma 0.5 2
-render.ao 0 5
-render.sss_all 0 1
+render.ao 0 5 face
+render.sss_all 0 1 face
 material.shell.base_color [0.9,0.55,0.02] [0.03,0.1,0.7]
 PARAMETERS
     sheet docs/robot-parameters.png 4

@@ -33,11 +33,11 @@ void material(inout Surface s) {
     float eye = mix(roundEye, laugh, smoothstep(0.45, 0.75, happiness));
     vec2 m = face + vec2(0.0, 0.085) - vec2(0.03, 0.02) * look;
     float mouth = arc(vec2(m.x, -m.y), 0.055 + 0.02 * happiness, 0.011, 0.5 + 0.7 * happiness);
-    float shape = min(eye, mouth);
     float width = max(s.footprint, 0.0015);
-    float inside = smoothstep(width, -width, shape);
+    float inside = smoothstep(width, -width, min(eye, mouth));
     // Lines of a display, and the light that scatters in the glass.
     float lines = 0.86 + 0.14 * smoothstep(-0.4, 0.4, sin(face.y * 420.0)) * smoothstep(0.006, 0.002, s.footprint);
-    float halo = 0.10 * exp(-max(shape, 0.0) * 22.0);
+    // Glows add up; the brighter of both would leave a crease between them.
+    float halo = 0.10 * (exp(-max(eye, 0.0) * 22.0) + exp(-max(mouth, 0.0) * 22.0));
     s.emission = light * glow * (inside * lines + halo);
 }
