@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// A window with an OpenGL context and an immediate-mode interface (Dear ImGui) on top of a picture.
+// Everything that is input reaches the program through ImGui's state.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "gpu/context.hpp"
+#include "gpu/texture.hpp"
+
+struct GLFWwindow;
+
+namespace vitrine {
+
+/// There is no display to open a window on. Not a fault: there is a way without one.
+class NoDisplay : public MachineError {
+  public:
+    using MachineError::MachineError;
+};
+
+/// A part of the window in pixels, from the lower left.
+struct PixelRectangle {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+class Window {
+  public:
+    /// GL 4.5 core, else 4.1. Throws NoDisplay, or MachineError if the display has no usable
+    /// OpenGL.
+    static std::unique_ptr<Window> open(int width, int height, const std::string& title);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    [[nodiscard]] const Context& context() const { return *context_; }
+    [[nodiscard]] bool shouldClose() const;
+    void askToClose();
+    void setTitle(const std::string& title);
+    void setFullScreen(bool full);
+    [[nodiscard]] bool isFullScreen() const;
+
+    /// Pixels of the window's inside, and pixels an ImGui unit.
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] float scale() const { return scale_; }
+
+    /// Takes what has happened and begins a frame of the interface. Waits up to `seconds` for
+    /// something to happen; 0 does not wait.
+    void begin(double seconds);
+    /// Whether anything came in with the last begin(): then the interface must be drawn.
+    [[nodiscard]] bool hadEvents() const { return hadEvents_; }
+    /// Draws the interface, shows everything, ends the frame.
+    void end();
+    /// Clears the window, then fills `part` with the texture, whatever its size.
+    void clear();
+    void show(const Texture& picture, PixelRectangle part);
+
+    /// The files dropped on the window since the last call.
+    std::vector<std::string> takeDroppedFiles();
+
+  private:
+    Window() = default;
+    void installCallbacks();
+    void chooseScale();
+    void measure();
+
+    GLFWwindow* window_ = nullptr;
+    std::unique_ptr<Context> context_;
+    unsigned framebuffer_ = 0;
+    int width_ = 0, height_ = 0;
+    float scale_ = 1;
+    bool hadEvents_ = true;
+    PixelRectangle windowed_;
+    std::vector<std::string> dropped_;
+};
+
+}  // namespace vitrine
