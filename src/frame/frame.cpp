@@ -187,7 +187,7 @@ void Frame::followBounces() {
     }
 }
 
-ImageRgba8 Frame::picture() {
+const Texture& Frame::display() {
     if (request_.view == View::kBvh) {
         // The bounces have overwritten the records. Through the middles of the pixels, so that they
         // fit the lines.
@@ -201,6 +201,11 @@ ImageRgba8 Frame::picture() {
     displayPass(context_, mean_[0], picture_);
     if (request_.view == View::kBvh) boxesPass(context_, treeBoxes_, paths_[0].records, picture_);
     context_.block.image = drawn;
+    return picture_;
+}
+
+ImageRgba8 Frame::picture() {
+    display();
     const std::vector<uint8_t> bytes = picture_.readBytes();
     ImageRgba8 image(request_.width, request_.height);
     const size_t row = static_cast<size_t>(request_.width) * 4;

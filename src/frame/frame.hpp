@@ -59,7 +59,9 @@ class Frame {
     /// Draws one more sample. Throws InputError if a snippet does not compile.
     void drawSample();
     [[nodiscard]] int samplesDrawn() const { return sample_; }
-    /// The picture of the samples so far, top row first.
+    /// The picture of the samples so far as a texture, until the next call of any member.
+    const Texture& display();
+    /// The same, top row first.
     [[nodiscard]] ImageRgba8 picture();
     /// The picture as data. Needs a request with `layers`.
     [[nodiscard]] LayerImages layers() const;

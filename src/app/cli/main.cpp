@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "app/cli/commands.hpp"
+#include "app/viewer/viewer.hpp"
 #include "pack/tree_level.hpp"
 
 namespace vitrine {
@@ -92,6 +93,15 @@ void defineInfo(CLI::App& app, InfoOptions& o, std::function<int()>& chosen) {
     c->callback([&] { chosen = [&] { return info(o); }; });
 }
 
+void defineView(CLI::App& app, ViewOptions& o, std::function<int()>& chosen) {
+    CLI::App* c = app.add_subcommand("view", "open a window on a scene");
+    c->add_option("FILE", o.file, "a scene (.toml), a model (.obj) or a field (.sdf.glsl)")
+        ->required();
+    c->add_option("--camera", o.camera, "the camera of this name");
+    addOverrides(*c, o.overrides);
+    c->callback([&] { chosen = [&] { return view(o); }; });
+}
+
 void defineCompare(CLI::App& app, CompareOptions& o, std::function<int()>& chosen) {
     CLI::App* c = app.add_subcommand("compare", "measure how two pictures differ");
     c->add_option("A", o.a)->required();
@@ -131,6 +141,8 @@ int run(int argc, char** argv) {
     CheckOptions checkOptions;
     InfoOptions infoOptions;
     CompareOptions compareOptions;
+    ViewOptions viewOptions;
+    defineView(app, viewOptions, chosen);
     defineRender(app, renderOptions, chosen);
     defineCheck(app, checkOptions, chosen);
     defineInfo(app, infoOptions, chosen);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The window: `vitrine view FILE`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+struct ViewOptions {
+    std::string file;
+    std::string camera;
+    std::vector<std::string> overrides;
+    int width = 1280, height = 800;
+};
+
+/// Opens a window on a scene and stays until it is closed. Throws NoDisplay (gpu/window.hpp) if
+/// there is none to open it on. Returns the exit code.
+int view(const ViewOptions& options);
+
+}  // namespace vitrine
