@@ -89,6 +89,10 @@ class Controls {
         text(key, (object.*m.member).file.name);
     }
     template <class T>
+    void draw(const std::string& key, Range, const FileMember<T>& m, const T& object) {
+        text(key, (object.*m.member).name);
+    }
+    template <class T>
     void draw(const std::string& key, Range, const ChoiceMember<T>& m, const T& object) {
         choice(key, m.words, m.get(object));
     }
