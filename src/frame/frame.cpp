@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <utility>
 
 #include "pack/camera.hpp"
@@ -28,6 +30,7 @@ class SharpLens {
 
 // Of a picture of one sample.
 constexpr int kAmbientProbes = 16, kSkyProbes = 4, kSubstanceProbes = 8;
+constexpr int kQuickProbes = 3;
 
 }  // namespace
 
@@ -53,16 +56,17 @@ void Frame::use(const PackedMoment& moment) {
     instances_ = moment.instances;
     fieldRoot_ = moment.fieldRoot;
     // Glass needs another set of paths, which begin() makes with the other images.
-    if (moment.hasTransmission && !transmissive_) picture_ = {};
+    if (moment.hasTransmission && !transmissive_) allocated_ = false;
     transmissive_ = transmissive_ || moment.hasTransmission;
 }
 
 void Frame::begin(const FrameRequest& request) {
     const bool resized = request.layers != request_.layers || request.width != request_.width ||
                          request.height != request_.height || request.ssaa != request_.ssaa ||
-                         !picture_.valid();
+                         !allocated_;
     request_ = request;
     sample_ = 0;
+    rowsDone_ = 0;
     statistics_ = {};
     context_.timer().reset();
     context_.timing = context_.counting || request.timing;
@@ -86,18 +90,22 @@ void Frame::begin(const FrameRequest& request) {
     block.sampling.w = request.seed;
     chooseProbes();
     if (request.view == View::kBvh) treeBoxes_.upload(treeLevel(instances_, request.treeLevel));
-    if (!resized) return;
+    if (resized) allocate();
+}
+
+void Frame::allocate() {
+    const int width = request_.width * request_.ssaa, height = request_.height * request_.ssaa;
     layers_ = {};
-    if (request.layers) layers_.allocate(width, height);
+    if (request_.layers) layers_.allocate(width, height);
     const auto image = [&](TexelFormat f) { return Texture(width, height, f); };
     for (size_t i = 0; i < (transmissive_ ? 3 : 2); ++i) paths_[i].allocate(width, height);
     for (Texture& t : radiance_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : mean_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : context_.counters) t = image(TexelFormat::kRgba32ui);
-    picture_ = Texture(request.width, request.height, TexelFormat::kRgba8);
     depth_ = DepthImage(width, height);
     black_ = image(TexelFormat::kRgba32f);
     black_.clear();
+    allocated_ = true;
 }
 
 /// How many ways each hit looks for light. Few samples a pixel look more often each, so that a
@@ -107,7 +115,7 @@ void Frame::chooseProbes() {
     const auto share = [&](int all) { return std::clamp(all / request_.samples, 1, all); };
     const auto later = [](int first) { return std::max(1, first / 4); };
     const bool reference = request_.mode == RenderMode::kReference;
-    const int ambient = reference ? 0 : share(kAmbientProbes);
+    const int ambient = reference ? 0 : share(request_.quick ? kQuickProbes : kAmbientProbes);
     block.probes.y = ambient;
     block.probes.z = reference ? 0 : later(ambient);
     block.probes.w = share(kSubstanceProbes);
@@ -119,14 +127,60 @@ void Frame::chooseProbes() {
     block.skyTree.x = reference ? static_cast<int>(map.bright.nodes.size()) : 0;
     block.skyTree.y = tree.levels;
     if (tree.levels == 0) return;
-    block.skyTree.z = reference ? 1 : share(kSkyProbes);
+    block.skyTree.z = reference ? 1 : share(request_.quick ? 1 : kSkyProbes);
     block.skyTree.w = reference ? 1 : later(block.skyTree.z);
 }
 
 void Frame::drawSample() {
+    startSample();
+    drawRows({});
+    finishSample();
+}
+
+bool Frame::advance(double seconds) {
+    if (backend() == Backend::kCompute) {
+        drawSample();
+        finishGpu();
+        return true;
+    }
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const auto since = [](Clock::time_point t) {
+        return std::chrono::duration<double>(Clock::now() - t).count();
+    };
+    if (rowsDone_ == 0) startSample();
+    const int height = request_.height * request_.ssaa;
+    do {
+        const auto bandStart = Clock::now();
+        const int end = std::min(rowsDone_ + bandRows_, height);
+        drawRows({rowsDone_, end});
+        finishGpu();
+        rowsDone_ = end;
+        // Rows differ in what they cost: a quarter of the time leaves room for dearer ones.
+        const double ratio = seconds / 4 / std::max(since(bandStart), 1e-6);
+        bandRows_ = std::clamp(static_cast<int>(bandRows_ * std::clamp(ratio, 0.2, 2.0)), 4, 4096);
+    } while (rowsDone_ < height && since(start) < seconds);
+    if (rowsDone_ < height) return false;
+    rowsDone_ = 0;
+    finishSample();
+    return true;
+}
+
+/// What is done for the whole picture at once.
+void Frame::startSample() {
     context_.block.sampling.x = sample_;
     const glm::vec2 jitter = sampleOffset(sample_, request_.samples);
     context_.block.jitter = glm::vec4(jitter, request_.ssaa, 0);
+    std::optional<SharpLens> sharp;
+    if (request_.layers && sample_ == 0) sharp.emplace(context_.block);
+    rasterise();
+}
+
+/// The sample's passes over some rows. No pass reads another pixel than its own, so that rows are
+/// independent of each other; every call finds the images that change places as the first did.
+void Frame::drawRows(PixelRows rows) {
+    const auto firstCounters = context_.counters[0].id(), firstRadiance = radiance_[0].id();
+    context_.rows = rows;
     if (request_.layers && sample_ == 0) {
         const SharpLens sharp(context_.block);
         findFirstHits();
@@ -140,22 +194,37 @@ void Frame::drawSample() {
         viewPass(context_, paths_[0].records, radiance_[0]);
     }
     accumulatePass(context_, radiance_[0], mean_[0], mean_[1]);
+    context_.rows = {};
+    if (radiance_[0].id() != firstRadiance) std::swap(radiance_[0], radiance_[1]);
+    countersTurned_ = context_.counters[0].id() != firstCounters;
+    if (countersTurned_) std::swap(context_.counters[0], context_.counters[1]);
+}
+
+void Frame::finishSample() {
+    if (countersTurned_) std::swap(context_.counters[0], context_.counters[1]);
     std::swap(mean_[0], mean_[1]);
     if (context_.counting) addCounts();
     ++sample_;
 }
 
-void Frame::findFirstHits() {
-    // The rasteriser has one eye; through a lens each pixel looks from a point of its own.
-    const bool pinhole = context_.block.lens.x <= 0;
-    if (request_.primary == Primary::kTrace || !rasterPossible_ || !pinhole) {
-        visibilityPass(context_, paths_[0].records);
-        return;
-    }
+/// The rasteriser has one eye; through a lens each pixel looks from a point of its own.
+bool Frame::rasters() const {
+    return request_.primary == Primary::kRaster && rasterPossible_ && context_.block.lens.x <= 0;
+}
+
+/// The meshes among the first hits, if they are to be rasterised.
+void Frame::rasterise() {
+    if (!rasters()) return;
     const std::vector<RasterDraw> draws = rasterDraws(context_, instances_);
-    const bool fields = fieldRoot_ >= 0;
-    rasterPass(context_, draws, depth_, paths_[fields ? 1 : 0].records);
-    if (fields) visibilityFieldsPass(context_, fieldRoot_, paths_[1].records, paths_[0].records);
+    rasterPass(context_, draws, depth_, paths_[fieldRoot_ >= 0 ? 1 : 0].records);
+}
+
+void Frame::findFirstHits() {
+    context_.block.sampling.z = 0;
+    if (!rasters())
+        visibilityPass(context_, paths_[0].records);
+    else if (fieldRoot_ >= 0)
+        visibilityFieldsPass(context_, fieldRoot_, paths_[1].records, paths_[0].records);
 }
 
 /// Light at the first hits, then bounce by bounce. Leaves the result in radiance_[0].
@@ -193,8 +262,11 @@ const Texture& Frame::display() {
         // fit the lines.
         context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
         const SharpLens sharp(context_.block);
+        rasterise();
         findFirstHits();
     }
+    if (picture_.width() != request_.width || picture_.height() != request_.height)
+        picture_ = Texture(request_.width, request_.height, TexelFormat::kRgba8);
     const glm::ivec4 drawn = context_.block.image;
     context_.block.image.x = request_.width;
     context_.block.image.y = request_.height;

@@ -24,7 +24,7 @@ void PassContext::run(const std::string& pass, PassImages images) {
     }
     uniforms_.upload(std::as_bytes(std::span(&block, 1)));
     if (timing) timer_.begin(pass);
-    runner_.run(program, uniforms_, images);
+    runner_.run(program, uniforms_, images, rows);
     if (timing) timer_.end();
     if (counts) std::swap(counters[0], counters[1]);
 }
