@@ -177,9 +177,9 @@ void Frame::startSample() {
 }
 
 /// The sample's passes over some rows. No pass reads another pixel than its own, so that rows are
-/// independent of each other; every call finds the images that change places as the first did.
+/// independent of each other; every call finds the counters, which change places, as the first did.
 void Frame::drawRows(PixelRows rows) {
-    const auto firstCounters = context_.counters[0].id(), firstRadiance = radiance_[0].id();
+    const auto firstCounters = context_.counters[0].id();
     context_.rows = rows;
     if (request_.layers && sample_ == 0) {
         const SharpLens sharp(context_.block);
@@ -195,7 +195,6 @@ void Frame::drawRows(PixelRows rows) {
     }
     accumulatePass(context_, radiance_[0], mean_[0], mean_[1]);
     context_.rows = {};
-    if (radiance_[0].id() != firstRadiance) std::swap(radiance_[0], radiance_[1]);
     countersTurned_ = context_.counters[0].id() != firstCounters;
     if (countersTurned_) std::swap(context_.counters[0], context_.counters[1]);
 }
@@ -274,6 +273,24 @@ const Texture& Frame::display() {
     if (request_.view == View::kBvh) boxesPass(context_, treeBoxes_, paths_[0].records, picture_);
     context_.block.image = drawn;
     return picture_;
+}
+
+glm::uvec4 Frame::pick(glm::vec2 place) {
+    rowsDone_ = 0;  // the first hits of the sample that is being worked on are overwritten
+    context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
+    const SharpLens sharp(context_.block);
+    const Texture& records = paths_[0].records;
+    const auto texel = [](float share, int size) {
+        return std::clamp(static_cast<int>(share * static_cast<float>(size)), 0, size - 1);
+    };
+    const int x = texel(place.x, records.width()), y = texel(place.y, records.height());
+    rasterise();
+    context_.rows = {y, y + 1};
+    findFirstHits();
+    context_.rows = {};
+    const std::vector<uint32_t> texels = records.readUints();
+    const uint32_t* at = &texels[4 * (static_cast<size_t>(y) * records.width() + x)];
+    return {at[0], at[1], at[2], at[3]};
 }
 
 ImageRgba8 Frame::picture() {

@@ -68,7 +68,10 @@ class Frame {
     /// The picture of the samples so far as a texture, which stays, through begin() as well, until
     /// the next call. Not while a sample is being worked on.
     const Texture& display();
-    /// The same, top row first.
+    /// The hit record at a place of the picture, shares of its width and height from the lower
+    /// left. A sample that is being worked on begins anew.
+    [[nodiscard]] glm::uvec4 pick(glm::vec2 place);
+    /// The same as display(), top row first.
     [[nodiscard]] ImageRgba8 picture();
     /// The picture as data. Needs a request with `layers`.
     [[nodiscard]] LayerImages layers() const;

@@ -46,6 +46,14 @@ std::unique_ptr<Window> Window::open(int width, int height, const std::string& t
     glfwSetErrorCallback([](int, const char* text) { lastGlfwError() = text; });
     if (glfwInit() == GLFW_FALSE)
         throw NoDisplay(fmt::format("there is no display for a window ({})", lastGlfwError()));
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+        PixelRectangle free;
+        glfwGetMonitorWorkarea(monitor, &free.x, &free.y, &free.width, &free.height);
+        if (free.width > 0 && free.height > 0) {
+            width = std::min(width, free.width);
+            height = std::min(height, free.height);
+        }
+    }
     std::unique_ptr<Window> result(new Window);
     result->window_ = createWindow(width, height, title);
     if (result->window_ == nullptr)
@@ -90,7 +98,13 @@ void Window::installCallbacks() {
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { event(w); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { event(w); });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { event(w); });
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int, int, int, int) { event(w); });
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+        if (action == GLFW_PRESS)
+            static_cast<Window*>(glfwGetWindowUserPointer(w))
+                ->pressed_.push_back(
+                    {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
+        event(w);
+    });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { event(w); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { event(w); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { event(w); });
@@ -170,6 +184,10 @@ void Window::end() {
     checkGl("showing the window");
 }
 
+void Window::skip() {
+    ImGui::EndFrame();
+}
+
 void Window::clear() {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, width_, height_);
@@ -187,6 +205,10 @@ void Window::show(const Texture& picture, PixelRectangle part) {
                       part.y + part.height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+std::vector<KeyPress> Window::takeKeyPresses() {
+    return std::exchange(pressed_, {});
 }
 
 std::vector<std::string> Window::takeDroppedFiles() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A window with an OpenGL context and an immediate-mode interface (Dear ImGui) on top of a picture.
-// Everything that is input reaches the program through ImGui's state.
+// What is input reaches the program through ImGui's state, but for single key presses.
 #pragma once
 
 #include <memory>
@@ -26,10 +26,16 @@ struct PixelRectangle {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
+/// A key that went down: a GLFW_KEY_*.
+struct KeyPress {
+    int key = 0;
+    bool control = false, shift = false;
+};
+
 class Window {
   public:
-    /// GL 4.5 core, else 4.1. Throws NoDisplay, or MachineError if the display has no usable
-    /// OpenGL.
+    /// Not larger than the screen. GL 4.5 core, else 4.1. Throws NoDisplay, or MachineError if the
+    /// display has no usable OpenGL.
     static std::unique_ptr<Window> open(int width, int height, const std::string& title);
     ~Window();
     Window(const Window&) = delete;
@@ -54,10 +60,15 @@ class Window {
     [[nodiscard]] bool hadEvents() const { return hadEvents_; }
     /// Draws the interface, shows everything, ends the frame.
     void end();
+    /// Ends the frame without drawing: the window stays as it is.
+    void skip();
     /// Clears the window, then fills `part` with the texture, whatever its size.
     void clear();
     void show(const Texture& picture, PixelRectangle part);
 
+    /// The keys pressed since the last call. ImGui forgets those that are up again when a frame
+    /// begins, which may be late on a slow machine.
+    std::vector<KeyPress> takeKeyPresses();
     /// The files dropped on the window since the last call.
     std::vector<std::string> takeDroppedFiles();
 
@@ -74,6 +85,7 @@ class Window {
     float scale_ = 1;
     bool hadEvents_ = true;
     PixelRectangle windowed_;
+    std::vector<KeyPress> pressed_;
     std::vector<std::string> dropped_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "app/cli/commands.hpp"
 #include "app/viewer/viewer.hpp"
+#include "gpu/window.hpp"
 #include "pack/tree_level.hpp"
 
 namespace vitrine {
@@ -38,7 +39,8 @@ void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen)
                   "a scene (.toml), a model (.gltf, .glb, .obj) or a field (.sdf.glsl)")
         ->required();
     c->add_option("-o,--output", o.output,
-                  "name.png, or name.exr with layers; name_####.png with --frames")
+                  "name.png, or name.exr with layers; with --frames name_####.png, or a film: "
+                  "name.mp4, .webm or .gif")
         ->required();
     c->add_option("-r,--resolution", o.resolution, "width x height")->capture_default_str();
     c->add_option("--spp", o.samples, "samples a pixel")->check(CLI::Range(1, 65536));
@@ -95,7 +97,8 @@ void defineInfo(CLI::App& app, InfoOptions& o, std::function<int()>& chosen) {
 
 void defineView(CLI::App& app, ViewOptions& o, std::function<int()>& chosen) {
     CLI::App* c = app.add_subcommand("view", "open a window on a scene");
-    c->add_option("FILE", o.file, "a scene (.toml), a model (.obj) or a field (.sdf.glsl)")
+    c->add_option("FILE", o.file,
+                  "a scene (.toml), a model (.gltf, .glb, .obj) or a field (.sdf.glsl)")
         ->required();
     c->add_option("--camera", o.camera, "the camera of this name");
     addOverrides(*c, o.overrides);
@@ -119,10 +122,18 @@ void defineCompare(CLI::App& app, CompareOptions& o, std::function<int()>& chose
     c->callback([&] { chosen = [&] { return compare(o); }; });
 }
 
-/// `vitrine` alone: the best scene there is, as a picture, because there is no window yet.
+/// `vitrine` alone: a window on the best scene there is; without a display, its picture in a file.
 int show(const std::string& version) {
+    const std::string file = VITRINE_SCENES "/lesson-both.toml";
+    try {
+        ViewOptions window;
+        window.file = file;
+        return view(window);
+    } catch (const NoDisplay& error) {
+        fmt::print(stderr, "vitrine: {}; drawing a picture instead\n", error.what());
+    }
     RenderOptions o;
-    o.file = VITRINE_SCENES "/lesson-both.toml";
+    o.file = file;
     o.output = "lesson-both.png";
     o.samples = 16;
     o.version = version;

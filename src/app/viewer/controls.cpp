@@ -72,10 +72,15 @@ void Controls::end() {
 }
 
 void Controls::send(const std::string& key, const std::string& value) {
-    // A drag begins when the item becomes active; its id tells drags of different items apart, the
-    // frame at which the mouse went down those of the same.
+    // A drag is one gesture, also its last step, which comes when the mouse is up already: what the
+    // same click changes of the same item.
     static int gesture = 0;
-    if (ImGui::IsItemActivated() || !ImGui::IsItemActive()) ++gesture;
+    static double clicked = -1;
+    static std::string last;
+    const double click = ImGui::GetIO().MouseClickedTime[0];
+    if (click != clicked || key != last) ++gesture;
+    clicked = click;
+    last = key;
     edits_.set(key, value, gesture);
 }
 

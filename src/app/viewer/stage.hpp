@@ -14,9 +14,13 @@ class Stage {
   public:
     explicit Stage(const Context& context) : context_(context) {}
 
-    /// Shows another scene, or the same one changed. Keeps the programs if the snippets are the
-    /// same.
-    void setScene(const LoadedScene& scene, bool sameSnippets);
+    /// Shows another scene. Throws InputError if a snippet does not compile; then the scene before
+    /// stays.
+    void setScene(const LoadedScene& scene);
+    /// The same scene with other numbers.
+    void update(const PackedMoment& moment);
+    /// The record under a pixel of the window's picture, from the upper left.
+    [[nodiscard]] glm::uvec4 pick(glm::ivec2 pixel);
     [[nodiscard]] bool empty() const { return frame_ == nullptr; }
 
     /// What is to be seen. A picture that differs from the last one starts anew.
@@ -25,20 +29,22 @@ class Stage {
         Camera camera;
         float time = 0;
         View view = View::kColor;
-        int samples = 1, bounces = 2, ssaa = 1;
+        int samples = 1, bounces = 2, ssaa = 1, seed = 0;
         bool moving = false;  ///< more changes are coming: stay within the budget
     };
-    /// Draws a little more of it. Throws InputError if a snippet does not compile.
+    /// Draws a little more of it, for about so long.
     void draw(const Wish& wish, double budgetSeconds);
     /// Nothing is left to draw for the last wish.
     [[nodiscard]] bool finished() const { return finished_; }
     [[nodiscard]] const Texture* picture() const { return picture_; }
+    /// The picture's pixels, top row first. Only when finished.
+    [[nodiscard]] ImageRgba8 image() { return frame_->picture(); }
     [[nodiscard]] int samplesDrawn() const { return samplesDrawn_; }
     [[nodiscard]] float scale() const { return drawnScale_; }
     [[nodiscard]] double lastSeconds() const { return lastSeconds_; }
-    void restart() { begun_ = false; }
 
   private:
+    void begin(Frame& frame, const Wish& wish);
     const Context& context_;
     std::unique_ptr<Frame> frame_;
     Pace pace_;
