@@ -16,6 +16,11 @@
 namespace vitrine {
 namespace {
 
+static_assert(kKeyEscape == GLFW_KEY_ESCAPE && kKeyTab == GLFW_KEY_TAB &&
+              kKeyRight == GLFW_KEY_RIGHT && kKeyLeft == GLFW_KEY_LEFT &&
+              kKeyHome == GLFW_KEY_HOME && kKeyF11 == GLFW_KEY_F11 && kKeyF12 == GLFW_KEY_F12 &&
+              GLFW_KEY_A == 'A' && GLFW_KEY_0 == '0' && GLFW_KEY_SPACE == ' ');
+
 std::string& lastGlfwError() {
     static std::string text;
     return text;

@@ -7,26 +7,31 @@
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
 #include "gpu/context.hpp"
+#include "gpu/no_display.hpp"
 #include "gpu/texture.hpp"
 
 struct GLFWwindow;
 
 namespace vitrine {
 
-/// There is no display to open a window on. Not a fault: there is a way without one.
-class NoDisplay : public MachineError {
-  public:
-    using MachineError::MachineError;
-};
-
 /// A part of the window in pixels, from the lower left.
 struct PixelRectangle {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// A key that went down: a GLFW_KEY_*.
+/// The keys that have no character; letters, digits and space are their capital characters.
+enum SpecialKey : int {
+    kKeyEscape = 256,
+    kKeyTab = 258,
+    kKeyRight = 262,
+    kKeyLeft = 263,
+    kKeyHome = 268,
+    kKeyF11 = 300,
+    kKeyF12 = 301,
+};
+
+/// A key that went down: a character or a SpecialKey, also for ImGui::IsKeyDown().
 struct KeyPress {
     int key = 0;
     bool control = false, shift = false;

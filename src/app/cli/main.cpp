@@ -7,10 +7,11 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <tuple>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/frames.hpp"
 #include "app/viewer/viewer.hpp"
-#include "gpu/window.hpp"
 #include "pack/tree_level.hpp"
 
 namespace vitrine {
@@ -101,6 +102,13 @@ void defineView(CLI::App& app, ViewOptions& o, std::function<int()>& chosen) {
                   "a scene (.toml), a model (.gltf, .glb, .obj) or a field (.sdf.glsl)")
         ->required();
     c->add_option("--camera", o.camera, "the camera of this name");
+    c->add_option_function<std::string>(
+         "-r,--resolution",
+         [&](const std::string& text) { std::tie(o.width, o.height) = parseResolution(text); },
+         "the window's width x height, with the panel")
+        ->default_str("1280x800");
+    c->add_option("--timings", o.timings,
+                  "write at the end how long the window took to answer, - to standard output");
     addOverrides(*c, o.overrides);
     c->callback([&] { chosen = [&] { return view(o); }; });
 }

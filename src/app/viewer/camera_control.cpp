@@ -41,10 +41,11 @@ CameraFrame frameOf(const Camera& camera) {
     return {right, glm::cross(back, right), back};
 }
 
-float heightAtUnitDistance(const Camera& camera) {
+float heightAtUnitDistance(const Camera& camera, float aspect) {
+    constexpr float kSensorWidth = 36;  // mm
     if (camera.fov > 0) return 2 * std::tan(glm::radians(camera.fov) / 2);
     const float focal = camera.focalLength > 0 ? camera.focalLength : Camera::kDefaultFocalLength;
-    return 36 / focal * 0.625f;  // of a picture of 16 : 10, close enough for a hand
+    return kSensorWidth / focal / aspect;
 }
 
 void tumble(Camera& camera, glm::vec2 offset) {
@@ -52,27 +53,25 @@ void tumble(Camera& camera, glm::vec2 offset) {
                                         -offset.x * kTurnsAHeight, -offset.y * kTurnsAHeight);
 }
 
-void lookAround(Camera& camera, glm::vec2 offset) {
-    const float angle = heightAtUnitDistance(camera);
-    camera.target = camera.eye + turned(camera.target - camera.eye, camera.up, -offset.x * angle,
-                                        offset.y * angle);
+void lookAround(Camera& camera, glm::vec2 offset, float height) {
+    camera.target = camera.eye + turned(camera.target - camera.eye, camera.up, -offset.x * height,
+                                        offset.y * height);
 }
 
-void pan(Camera& camera, glm::vec2 offset) {
+void pan(Camera& camera, glm::vec2 offset, float height) {
     const CameraFrame f = frameOf(camera);
-    const float metres = heightAtUnitDistance(camera) * glm::distance(camera.eye, camera.target);
+    const float metres = height * glm::distance(camera.eye, camera.target);
     const glm::vec3 shift = -metres * (offset.x * f.right + offset.y * f.up);
     camera.eye += shift;
     camera.target += shift;
 }
 
-void dolly(Camera& camera, float steps, glm::vec2 cursor) {
+void dolly(Camera& camera, float steps, glm::vec2 cursor, float height) {
     const CameraFrame f = frameOf(camera);
     const float distance = glm::distance(camera.eye, camera.target);
     const float next = std::max(distance * std::pow(0.9f, steps), kNearest);
     // The point of the target's plane under the cursor does not move in the picture.
-    const glm::vec3 aside =
-        heightAtUnitDistance(camera) * (distance - next) * (cursor.x * f.right + cursor.y * f.up);
+    const glm::vec3 aside = height * (distance - next) * (cursor.x * f.right + cursor.y * f.up);
     camera.target += aside;
     camera.eye = camera.target + next * f.back;
 }
@@ -119,11 +118,11 @@ Camera Flight::advance(float seconds) {
     return camera;
 }
 
-Camera lookingAt(const Camera& camera, glm::vec3 point, float radius) {
+Camera lookingAt(const Camera& camera, glm::vec3 point, float radius, float height) {
     Camera result = camera;
     glm::vec3 back = camera.eye - point;
     if (glm::length(back) < 1e-4f) back = camera.eye - camera.target;
-    const float distance = std::max(radius, kNearest) / (0.32f * heightAtUnitDistance(camera));
+    const float distance = std::max(radius, kNearest) / (0.32f * height);
     result.target = point;
     result.eye = point + distance * glm::normalize(back);
     return result;

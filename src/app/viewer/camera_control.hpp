@@ -15,18 +15,18 @@ struct CameraFrame {
 };
 CameraFrame frameOf(const Camera& camera);
 
-/// Height of the picture at distance 1.
-float heightAtUnitDistance(const Camera& camera);
+/// Height at distance 1 of a picture that is `aspect` times as wide as high.
+float heightAtUnitDistance(const Camera& camera, float aspect);
 
 /// Turns the eye about the target; the horizon stays level and the pole is never passed.
 void tumble(Camera& camera, glm::vec2 offset);
-/// Turns the view about the eye, likewise.
-void lookAround(Camera& camera, glm::vec2 offset);
+/// Turns the view about the eye, likewise. Here and below `height` is that at distance 1.
+void lookAround(Camera& camera, glm::vec2 offset, float height);
 /// Moves the camera so that the target's plane follows the cursor exactly.
-void pan(Camera& camera, glm::vec2 offset);
+void pan(Camera& camera, glm::vec2 offset, float height);
 /// Moves towards the target by steps of a wheel; a step is a tenth of the way. What is under the
 /// cursor (from the picture's middle, in heights) stays under it.
-void dolly(Camera& camera, float steps, glm::vec2 cursor);
+void dolly(Camera& camera, float steps, glm::vec2 cursor, float height);
 /// Moves eye and target by metres: right, up (of the world), forward along the ground or, when
 /// flying, along the view.
 void walk(Camera& camera, glm::vec3 metres, bool flying);
@@ -55,6 +55,6 @@ class Flight {
 
 /// A camera that looks at `point` from where `camera` is, at the distance at which a ball of
 /// `radius` fills a good part of the picture.
-Camera lookingAt(const Camera& camera, glm::vec3 point, float radius);
+Camera lookingAt(const Camera& camera, glm::vec3 point, float radius, float height);
 
 }  // namespace vitrine

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pack/camera.hpp"
+
 namespace vitrine {
 namespace {
 
@@ -14,13 +16,18 @@ Camera someCamera() {
     return camera;
 }
 
-/// Where a point is in the picture, in heights from its middle.
+constexpr int kWidth = 900, kHeight = 600;
+
+float heightOf(const Camera& camera) {
+    return heightAtUnitDistance(camera, static_cast<float>(kWidth) / kHeight);
+}
+
+/// Where the renderer draws a point, in heights from the picture's middle.
 glm::vec2 project(const Camera& camera, glm::vec3 point) {
-    const CameraFrame f = frameOf(camera);
-    const glm::vec3 p = point - camera.eye;
-    const float depth = -glm::dot(p, f.back);
-    return glm::vec2(glm::dot(p, f.right), glm::dot(p, f.up)) /
-           (depth * heightAtUnitDistance(camera));
+    FrameBlock block{};
+    packCamera(camera, kWidth, kHeight, block);
+    const glm::vec4 clip = packProjection(block) * glm::vec4(point, 1);
+    return 0.5f * glm::vec2(clip.x * kWidth / kHeight, clip.y) / clip.w;
 }
 
 TEST(CameraControl, TumbleKeepsTheDistanceAndTheTarget) {
@@ -48,30 +55,41 @@ TEST(CameraControl, TumbleStopsAtThePoles) {
 TEST(CameraControl, PanMovesTheTargetsPlaneWithTheCursor) {
     Camera camera = someCamera();
     const glm::vec3 point = camera.target;
-    pan(camera, {0.2f, -0.1f});
+    pan(camera, {0.2f, -0.1f}, heightOf(camera));
     EXPECT_NEAR(project(camera, point).x, 0.2f, 1e-4);
     EXPECT_NEAR(project(camera, point).y, -0.1f, 1e-4);
+}
+
+TEST(CameraControl, KnowsTheHeightOfEveryLens) {
+    Camera camera = someCamera();
+    for (const float focalLength : {0.0f, 24.0f, 85.0f}) {
+        camera.focalLength = focalLength;
+        camera.fov = focalLength > 0 ? 0 : 40;
+        const CameraFrame f = frameOf(camera);
+        const float edge = heightOf(camera) / 2;
+        EXPECT_NEAR(project(camera, camera.eye - f.back + edge * f.up).y, 0.5f, 1e-4);
+    }
 }
 
 TEST(CameraControl, DollyKeepsWhatIsUnderTheCursor) {
     Camera camera = someCamera();
     const CameraFrame f = frameOf(camera);
     const glm::vec2 cursor{0.3f, 0.2f};
-    const float size = heightAtUnitDistance(camera) * glm::distance(camera.eye, camera.target);
+    const float size = heightOf(camera) * glm::distance(camera.eye, camera.target);
     const glm::vec3 point = camera.target + size * (cursor.x * f.right + cursor.y * f.up);
     for (const float steps : {3.0f, -7.0f}) {
-        dolly(camera, steps, cursor);
+        dolly(camera, steps, cursor, heightOf(camera));
         EXPECT_NEAR(project(camera, point).x, cursor.x, 1e-4);
         EXPECT_NEAR(project(camera, point).y, cursor.y, 1e-4);
     }
-    dolly(camera, 500, {0, 0});
+    dolly(camera, 500, {0, 0}, heightOf(camera));
     EXPECT_GT(glm::distance(camera.eye, camera.target), 5e-4f);
 }
 
 TEST(CameraControl, LookingAroundTurnsTheViewWithTheCursor) {
     Camera camera = someCamera();
     const glm::vec3 point = camera.target;
-    lookAround(camera, {-0.01f, 0.01f});
+    lookAround(camera, {-0.01f, 0.01f}, heightOf(camera));
     EXPECT_EQ(camera.eye, someCamera().eye);
     EXPECT_NEAR(project(camera, point).x, 0.01f, 2e-3);
     EXPECT_NEAR(project(camera, point).y, -0.01f, 2e-3);
@@ -109,7 +127,7 @@ TEST(CameraControl, FlightEndsExactlyAndPassesItsBend) {
 
 TEST(CameraControl, LookingAtShowsTheBall) {
     const glm::vec3 point{1, 2, 3};
-    const Camera camera = lookingAt(someCamera(), point, 0.5f);
+    const Camera camera = lookingAt(someCamera(), point, 0.5f, heightOf(someCamera()));
     EXPECT_NEAR(glm::length(project(camera, point)), 0, 1e-5);
     const glm::vec2 edge = project(camera, point + 0.5f * frameOf(camera).up);
     EXPECT_NEAR(edge.y, 0.32f, 1e-3);

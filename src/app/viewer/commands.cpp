@@ -85,9 +85,9 @@ std::string renderCommand(const ShownPicture& picture) {
     if (picture.time != 0) text += fmt::format(" --time {}", picture.time);
     for (const std::string& assignment : picture.overrides) text += " --set " + quoted(assignment);
     const Camera& camera = picture.camera;
-    if (camera.name.empty()) return text;
-    text += " --camera " + quoted(camera.name);
-    const std::string key = " --set " + quoted("camera." + camera.name);
+    if (!camera.name.empty()) text += " --camera " + quoted(camera.name);
+    const std::string key =
+        " --set " + (camera.name.empty() ? "camera" : quoted("camera." + camera.name));
     text += key + quoted(".eye=" + list(camera.eye));
     text += key + quoted(".target=" + list(camera.target));
     text += key + quoted(".up=" + list(camera.up));

@@ -14,7 +14,7 @@ namespace vitrine {
 struct Command {
     std::string menu, name;
     std::string keys;  ///< as people write them: "Ctrl+S"
-    int key = 0;       ///< GLFW_KEY_*; 0: in the menu only
+    int key = 0;       ///< a KeyPress::key; 0: in the menu only
     bool control = false, shift = false;
     std::function<void()> run;
     bool chosen = false;  ///< the menu ticks it

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/viewer/pilot.hpp"
 
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vitrine {
 namespace {
@@ -14,9 +14,8 @@ constexpr float kLongestStep = 0.1f;   // s: a slow picture must not make leaps
 
 }  // namespace
 
-glm::vec3 directionThrough(const Camera& camera, glm::vec2 cursor) {
+glm::vec3 directionThrough(const Camera& camera, glm::vec2 cursor, float height) {
     const CameraFrame f = frameOf(camera);
-    const float height = heightAtUnitDistance(camera);
     return glm::normalize(height * (cursor.x * f.right + cursor.y * f.up) - f.back);
 }
 
@@ -26,13 +25,43 @@ glm::vec2 Pilot::cursor(glm::vec2 pictureSize) {
            std::max(pictureSize.y, 1.0f);
 }
 
+float Pilot::viewHeight(glm::vec2 pictureSize) const {
+    return heightAtUnitDistance(camera, pictureSize.x / std::max(pictureSize.y, 1.0f));
+}
+
 void Pilot::flyTo(const Camera& goal, float seconds) {
-    flight_ = Flight(camera, goal, seconds);
+    held_ = true;
+    if (seconds <= 0)
+        camera = goal;
+    else
+        flight_ = Flight(camera, goal, seconds);
+}
+
+void Pilot::take(const Camera& sceneCamera, float seconds) {
+    followed_ = sceneCamera;
+    flyTo(sceneCamera, seconds);
+    held_ = false;
+}
+
+void Pilot::follow(const Camera& sceneCamera, bool edited) {
+    const bool moved = sceneCamera.eye != followed_.eye || sceneCamera.target != followed_.target ||
+                       sceneCamera.up != followed_.up;
+    const Camera before = std::exchange(camera, sceneCamera);
+    followed_ = sceneCamera;
+    if (moved && (edited || !held_)) {
+        flight_.stop();
+        held_ = false;
+        return;
+    }
+    camera.eye = before.eye;
+    camera.target = before.target;
+    camera.up = before.up;
 }
 
 bool Pilot::steer(float elapsed, glm::vec2 pictureSize) {
     if (dragged(pictureSize) || walked(elapsed)) {
         flight_.stop();
+        held_ = true;
         return true;
     }
     if (!flight_.active()) return false;
@@ -44,24 +73,25 @@ bool Pilot::dragged(glm::vec2 pictureSize) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantCaptureMouse) return false;
     bool moved = false;
+    const float height = viewHeight(pictureSize);
     const glm::vec2 drag =
         glm::vec2(io.MouseDelta.x, -io.MouseDelta.y) / std::max(pictureSize.y, 1.0f);
     if (drag != glm::vec2(0)) {
         moved = true;
-        const bool walking = ImGui::IsKeyDown(GLFW_KEY_W) || ImGui::IsKeyDown(GLFW_KEY_S) ||
-                             ImGui::IsKeyDown(GLFW_KEY_A) || ImGui::IsKeyDown(GLFW_KEY_D);
+        const bool walking = ImGui::IsKeyDown('W') || ImGui::IsKeyDown('S') ||
+                             ImGui::IsKeyDown('A') || ImGui::IsKeyDown('D');
         if (ImGui::IsMouseDragging(ImGuiMouseButton_Left))
             tumble(camera, drag);
         else if (ImGui::IsMouseDown(ImGuiMouseButton_Right) && walking)
-            lookAround(camera, drag);
+            lookAround(camera, drag, height);
         else if (ImGui::IsMouseDown(ImGuiMouseButton_Right) ||
                  ImGui::IsMouseDown(ImGuiMouseButton_Middle))
-            pan(camera, drag);
+            pan(camera, drag, height);
         else
             moved = false;
     }
     if (io.MouseWheel != 0) {
-        dolly(camera, io.MouseWheel, cursor(pictureSize));
+        dolly(camera, io.MouseWheel, cursor(pictureSize), height);
         moved = true;
     }
     return moved;
@@ -71,8 +101,7 @@ bool Pilot::walked(float elapsed) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || io.KeyCtrl) return false;
     const auto down = [](int key) { return ImGui::IsKeyDown(key) ? 1.0f : 0.0f; };
-    const glm::vec3 way(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_E) - down(GLFW_KEY_Q),
-                        down(GLFW_KEY_W) - down(GLFW_KEY_S));
+    const glm::vec3 way(down('D') - down('A'), down('E') - down('Q'), down('W') - down('S'));
     if (way == glm::vec3(0)) return false;
     const float speed = kWalkingSpeed * (io.KeyShift ? 4.0f : 1.0f);
     walk(camera, way * std::min(elapsed, kLongestStep) * speed, false);

@@ -10,9 +10,12 @@
 namespace vitrine {
 namespace {
 
+constexpr int64_t kMostPixels = 16 << 20;
+
 bool same(const Camera& a, const Camera& b) {
     return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov == b.fov &&
-           a.focalLength == b.focalLength;
+           a.focalLength == b.focalLength && a.fStop == b.fStop &&
+           a.focusDistance == b.focusDistance && a.apertureBlades == b.apertureBlades;
 }
 
 bool same(const Stage::Wish& a, const Stage::Wish& b) {
@@ -63,6 +66,9 @@ void Stage::begin(Frame& frame, const Wish& wish) {
     request.samples = wish.moving ? 1 : wish.samples;
     request.bounces = wish.bounces;
     request.ssaa = wish.moving ? 1 : wish.ssaa;
+    // A slider must not take all of the GPU's memory.
+    const auto pixels = static_cast<int64_t>(request.width) * request.height;
+    while (request.ssaa > 1 && pixels * request.ssaa * request.ssaa > kMostPixels) --request.ssaa;
     request.seed = wish.seed;
     request.view = wish.view;
     request.quick = wish.moving;

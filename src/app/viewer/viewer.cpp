@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "app/viewer/viewer.hpp"
 
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "app/viewer/commands.hpp"
+#include "app/viewer/latencies.hpp"
 #include "app/viewer/open_scene.hpp"
 #include "app/viewer/overlay.hpp"
 #include "app/viewer/panel.hpp"
@@ -38,21 +39,40 @@ double secondsSince(Clock::time_point then) {
     return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
+/// With something to read while the scene is being read.
+std::unique_ptr<Window> openWindow(const ViewOptions& options) {
+    auto window = Window::open(options.width, options.height, options.file + " - Vitrine");
+    for (int i = 0; i < 2; ++i) {  // ImGui learns the size of a text when it draws it first
+        window->begin(0);
+        window->clear();
+        const ImVec2 size = ImGui::GetIO().DisplaySize;
+        drawMessage("reading " + options.file, {size.x, size.y});
+        window->end();
+    }
+    return window;
+}
+
 class Viewer {
   public:
     explicit Viewer(const ViewOptions& options)
-        : window_(Window::open(options.width, options.height, "Vitrine")),
+        : timings_(options.timings),
+          window_(openWindow(options)),
           scene_(window_->context(), options.file, options.overrides),
           stage_(window_->context()) {
-        pilot_.camera = findCamera(scene_.loaded().scene, options.camera);
-        home_ = pilot_.camera;
-        window_->setTitle(options.file + " - Vitrine");
+        const std::vector<Camera>& cameras = scene_.loaded().scene.cameras;
+        camera_ = static_cast<size_t>(&findCamera(scene_.loaded().scene, options.camera) -
+                                      cameras.data());
+        pilot_.take(cameras[camera_], 0);
         showAll();
         scene_.problems().throwIfErrors();
     }
 
     int run() {
         while (!window_->shouldClose()) step();
+        if (timings_ == "-")
+            fmt::print("{}", latencies_.table());
+        else if (!timings_.empty())
+            writeFileAtomically(timings_, latencies_.table());
         return 0;
     }
 
@@ -63,17 +83,19 @@ class Viewer {
         settling_ = window_->hadEvents() ? kSettlingFrames : std::max(0, settling_ - 1);
         const auto elapsed = static_cast<float>(secondsSince(before_));
         before_ = Clock::now();
+        kind_ = Latencies::Kind::kRefine;
         const std::vector<Command> commands = listCommands();
         interface(commands);
         const std::vector<KeyPress> presses = window_->takeKeyPresses();
         if (!ImGui::GetIO().WantTextInput) runKeys(commands, presses);
-        if (pilot_.steer(elapsed, pictureSize())) touch();
+        if (pilot_.steer(elapsed, pictureSize())) touch(Latencies::Kind::kTurn);
         click();
-        if (timeline_.advance(elapsed)) showMoment();
+        if (timeline_.advance(elapsed)) showMoment(Latencies::Kind::kPlay);
         follow();
         if (!busy && settling_ == 0 && !changed_) return window_->skip();
         changed_ = false;
         draw();
+        latencies_.add(kind_, secondsSince(before_));
     }
 
     void draw() {
@@ -110,7 +132,7 @@ class Viewer {
         const bool broken = scene_.problems().hasErrors();
         const OpenScene::Change change = scene_.follow(look);
         if (change == OpenScene::Change::kAll) showAll();
-        if (change == OpenScene::Change::kNumbers) showMoment();
+        if (change == OpenScene::Change::kNumbers) showMoment(Latencies::Kind::kEdit);
         if (change != OpenScene::Change::kNone || broken != scene_.problems().hasErrors())
             changed_ = true;
     }
@@ -119,23 +141,31 @@ class Viewer {
         try {
             stage_.setScene(scene_.loaded());
             timeline_.duration = scene_.duration();
-            showMoment();
+            showMoment(Latencies::Kind::kReload);
         } catch (const InputError& error) {
             scene_.report(error);
         }
     }
 
-    void showMoment() {
+    void showMoment(Latencies::Kind why) {
         try {
             const PackedMoment moment = scene_.moment(timeline_.time);
             if (!stage_.empty()) stage_.update(moment);
+            const std::vector<Camera>& cameras = scene_.posed().cameras;
+            pilot_.follow(cameras[std::min(camera_, cameras.size() - 1)],
+                          why != Latencies::Kind::kPlay);
         } catch (const InputError& error) {
             scene_.report(error);
         }
-        touch();
+        touch(why);
     }
 
-    void touch() { lastMove_ = Clock::now(); }
+    /// Something is not as it was in the picture.
+    void touch(Latencies::Kind why) {
+        lastMove_ = Clock::now();
+        note(why);
+    }
+    void note(Latencies::Kind why) { kind_ = std::max(kind_, why); }
     [[nodiscard]] bool moving() const { return secondsSince(lastMove_) < kRestSeconds; }
 
     void say(std::string text) {
@@ -159,7 +189,8 @@ class Viewer {
         const glm::vec2 size = pictureSize();
         if (panelShown_) panel(commands, size);
         drawProblems(scene_.problems(), size);
-        if (timeline_.duration > 0 && drawTimeline(timeline_, size)) showMoment();
+        if (timeline_.duration > 0 && drawTimeline(timeline_, size))
+            showMoment(Latencies::Kind::kPlay);
         if (helpShown_) drawHelp(commands, size);
         if (message_.empty()) return;
         drawMessage(message_, size);
@@ -185,34 +216,34 @@ class Viewer {
 
     std::vector<Command> listCommands() {
         std::vector<Command> list{
-            {"File", "Save the changes", "Ctrl+S", GLFW_KEY_S, true, false,
+            {"File", "Save the changes", "Ctrl+S", 'S', true, false,
              [this] { say(scene_.save()); }},
-            {"File", "Write the picture", "F12", GLFW_KEY_F12, false, false,
+            {"File", "Write the picture", "F12", kKeyF12, false, false,
              [this] {
                  pictureWanted_ = true;
                  say("the picture will be written when it is finished");
              }},
-            {"File", "Copy as a command", "Ctrl+Shift+C", GLFW_KEY_C, true, true,
+            {"File", "Copy as a command", "Ctrl+Shift+C", 'C', true, true,
              [this] { copyCommand(); }},
-            {"File", "Quit", "Ctrl+Q", GLFW_KEY_Q, true, false, [this] { window_->askToClose(); }},
-            {"Edit", "Undo", "Ctrl+Z", GLFW_KEY_Z, true, false, [this] { scene_.edits.undo(); }},
-            {"Edit", "Redo", "Ctrl+Y", GLFW_KEY_Y, true, false, [this] { scene_.edits.redo(); }},
-            {"View", "Full screen", "F11", GLFW_KEY_F11, false, false,
+            {"File", "Quit", "Ctrl+Q", 'Q', true, false, [this] { window_->askToClose(); }},
+            {"Edit", "Undo", "Ctrl+Z", 'Z', true, false, [this] { scene_.edits.undo(); }},
+            {"Edit", "Redo", "Ctrl+Y", 'Y', true, false, [this] { scene_.edits.redo(); }},
+            {"View", "Full screen", "F11", kKeyF11, false, false,
              [this] { window_->setFullScreen(!window_->isFullScreen()); }, window_->isFullScreen()},
-            {"View", "Leave full screen", "Esc", GLFW_KEY_ESCAPE, false, false,
+            {"View", "Leave full screen", "Esc", kKeyEscape, false, false,
              [this] { window_->setFullScreen(false); }},
-            {"View", "Panel", "Tab", GLFW_KEY_TAB, false, false,
-             [this] { panelShown_ = !panelShown_; }, panelShown_},
-            {"View", "Keys", "H", GLFW_KEY_H, false, false, [this] { helpShown_ = !helpShown_; },
+            {"View", "Panel", "Tab", kKeyTab, false, false, [this] { panelShown_ = !panelShown_; },
+             panelShown_},
+            {"View", "Keys", "H", 'H', false, false, [this] { helpShown_ = !helpShown_; },
              helpShown_},
-            {"Move", "Fly to what is under the cursor", "F", GLFW_KEY_F, false, false,
+            {"Move", "Fly to what is under the cursor", "F", 'F', false, false,
              [this] { flyToCursor(); }},
-            {"Move", "Where the camera was", "Home", GLFW_KEY_HOME, false, false,
-             [this] { pilot_.flyTo(home_, kFlightSeconds); }},
+            {"Move", "Where the camera was", "Home", kKeyHome, false, false,
+             [this] { pilot_.goHome(kFlightSeconds); }},
         };
         addCameras(list);
         if (timeline_.duration > 0)
-            list.push_back({"Move", "Play", "Space", GLFW_KEY_SPACE, false, false,
+            list.push_back({"Move", "Play", "Space", ' ', false, false,
                             [this] { timeline_.playing = !timeline_.playing; }, timeline_.playing});
         for (size_t i = 0; i < viewNames().size(); ++i)
             list.push_back({"Show", viewNames()[i], "", 0, false, false,
@@ -227,11 +258,11 @@ class Viewer {
             const bool key = i < 9;
             const std::string digit = key ? std::to_string(i + 1) : "";
             list.push_back({"Move", "Camera " + cameras[i].name, digit,
-                            key ? GLFW_KEY_1 + static_cast<int>(i) : 0, false, false, [this, i] {
+                            key ? '1' + static_cast<int>(i) : 0, false, false, [this, i] {
                                 const auto& posed = scene_.posed().cameras;
                                 if (i >= posed.size()) return;
-                                home_ = posed[i];
-                                pilot_.flyTo(home_, kFlightSeconds);
+                                camera_ = i;
+                                pilot_.take(posed[i], kFlightSeconds);
                             }});
         }
     }
@@ -255,6 +286,7 @@ class Viewer {
     }
 
     glm::uvec4 pick() {
+        note(Latencies::Kind::kPick);
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         return stage_.pick(glm::ivec2(mouse.x, mouse.y));
     }
@@ -264,12 +296,13 @@ class Viewer {
         const glm::uvec4 hit = pick();
         if (!record::isSurface(hit)) return;
         const float distance = record::recordDistance(hit);
+        const float height = pilot_.viewHeight(pictureSize());
         const glm::vec3 point =
             pilot_.camera.eye +
-            distance * directionThrough(pilot_.camera, Pilot::cursor(pictureSize()));
+            distance * directionThrough(pilot_.camera, Pilot::cursor(pictureSize()), height);
         // A third of the way remains: near enough to see it, far enough to see where it is.
-        const float radius = 0.1f * distance * heightAtUnitDistance(pilot_.camera);
-        pilot_.flyTo(lookingAt(pilot_.camera, point, radius), kFlightSeconds);
+        const float radius = 0.1f * distance * height;
+        pilot_.flyTo(lookingAt(pilot_.camera, point, radius, height), kFlightSeconds);
     }
 
     // ---- what leaves the window ----
@@ -280,6 +313,9 @@ class Viewer {
             renderCommand({scene_.file(), pilot_.camera, scene_.overrides(), w.width, w.height,
                            viewNames()[static_cast<size_t>(view_)], timeline_.time});
         ImGui::SetClipboardText(text.c_str());
+        // Not every clipboard outlives the window.
+        fmt::print("{}\n", text);
+        std::fflush(stdout);
         say("copied: " + text);
     }
 
@@ -294,11 +330,14 @@ class Viewer {
         }
     }
 
+    std::string timings_;
+    Latencies latencies_;
+    Latencies::Kind kind_ = Latencies::Kind::kRefine;
     std::unique_ptr<Window> window_;
     OpenScene scene_;
     Stage stage_;
     Pilot pilot_;
-    Camera home_;
+    size_t camera_ = 0;  ///< in Scene::cameras: the one that the pilot has taken
     Timeline timeline_;
     Panel panel_;
     Selection selection_;
