@@ -98,7 +98,8 @@ start_display() {
 start_window() {
     "$program" view -r 720x450 --timings timings.txt "$@" > window.log 2>&1 &
     window_process=$!
-    there() { xdotool search --name Vitrine >/dev/null 2>&1; }
+    # The bar of menus stands there as soon as the scene has been read.
+    there() { [ "$(pixel 700 10)" = "36 36 36" ]; }
     soon 60 there
 }
 
@@ -136,6 +137,14 @@ drag() {
     xdotool mousemove "$2" "$3" mousedown "$1"
     for _ in 1 2 3 4 5; do xdotool mousemove_relative -- "$4" "$5"; sleep 0.03; done
     xdotool mouseup "$1"
+}
+# Presses keys together for as long as a finger would: ImGui asks for keys once a frame.
+hold() {
+    local key
+    for key in "$@"; do xdotool keydown "$key"; done
+    sleep 0.3
+    for key in "$@"; do xdotool keyup "$key"; done
+    sleep 0.1
 }
 # Whether the band of an error stands over the picture.
 banner() { set -- $(pixel 4 4); [ "$1" -gt $(($2 + 40)) ] && [ "$1" -gt $(($3 + 40)) ]; }

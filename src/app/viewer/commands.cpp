@@ -18,7 +18,7 @@ constexpr std::array<std::array<const char*, 2>, 8> kMouse{
      {"W A S D  Q E", "walk, down and up; Shift: faster"},
      {"right drag while walking", "look around"},
      {"double click", "fly to what is under the cursor"},
-     {"right click on a setting", "back to what the file says"}}};
+     {"Ctrl and click on a slider", "type its value"}}};
 
 std::string quoted(const std::string& text) {
     if (text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"

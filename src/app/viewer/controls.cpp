@@ -46,10 +46,14 @@ bool Controls::matches(std::string_view path, std::string_view key, std::string_
     return false;
 }
 
+bool Controls::finds(const std::string& path, const Snippet& snippet) const {
+    return std::any_of(snippet.parameters.begin(), snippet.parameters.end(),
+                       [&](const Parameter& p) { return matches(path, p.name, p.label); });
+}
+
 void Controls::begin(const std::string& key, const std::string& label, const std::string& help) {
     ImGui::PushID(key.c_str());
     const bool changed = edits_.has(key);
-    const float width = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
     if (changed) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.78f, 0.36f, 1));
     ImGui::TextUnformatted(label.c_str());
@@ -58,16 +62,21 @@ void Controls::begin(const std::string& key, const std::string& label, const std
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
         ImGui::TextUnformatted(help.c_str());
-        ImGui::TextDisabled("--set %s%s", key.c_str(), changed ? "   (right click: reset)" : "");
+        ImGui::TextDisabled("--set %s%s", key.c_str(), changed ? "   (changed)" : "");
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
     }
-    if (changed && ImGui::IsItemClicked(ImGuiMouseButton_Right)) edits_.reset(key);
-    ImGui::SameLine(width * 0.42f);
-    ImGui::SetNextItemWidth(changed ? -ImGui::GetFrameHeight() - 4 : -1);
+    ImGui::SameLine(ImGui::GetWindowWidth() * 0.48f);
+    // There is always room for the button, so that nothing moves under the mouse.
+    ImGui::SetNextItemWidth(-ImGui::GetFrameHeight() - ImGui::GetStyle().ItemInnerSpacing.x);
 }
 
-void Controls::end() {
+void Controls::end(const std::string& key) {
+    if (edits_.has(key)) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
+        if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0})) edits_.reset(key);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to what the file says");
+    }
     ImGui::PopID();
 }
 
@@ -171,7 +180,7 @@ void Controls::parameters(const std::string& path, const Snippet& snippet,
             default:
                 vector(key, {}, &value.x, componentCount(p.type));
         }
-        end();
+        end(key);
     }
 }
 

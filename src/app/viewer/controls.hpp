@@ -3,6 +3,7 @@
 // the panel.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -26,9 +27,18 @@ class Controls {
             begin(key, option.key, option.help);
             std::visit([&](const auto& member) { draw(key, option.range, member, object); },
                        option.member);
-            end();
+            end(key);
         }
     }
+
+    /// Whether options() would draw any row.
+    template <class T>
+    [[nodiscard]] bool finds(const std::string& path, const OptionTable<T>& table) const {
+        return std::any_of(table.begin(), table.end(),
+                           [&](const auto& o) { return matches(path, o.key, o.help); });
+    }
+    /// Whether parameters() would.
+    [[nodiscard]] bool finds(const std::string& path, const Snippet& snippet) const;
 
     /// The parameters of a snippet with the values that the scene gives.
     void parameters(const std::string& path, const Snippet& snippet,
@@ -41,7 +51,8 @@ class Controls {
 
   private:
     void begin(const std::string& key, const std::string& label, const std::string& help);
-    void end();
+    /// Ends a row; a changed one with a button that takes the change back.
+    void end(const std::string& key);
     void send(const std::string& key, const std::string& value);
 
     void number(const std::string& key, Range range, float value);

@@ -27,13 +27,34 @@ int indexOfShape(const Scene& scene, const std::string& name) {
     return -1;
 }
 
+/// The snippet of the node's shape, or nullptr.
+const Snippet* fieldOf(const Scene& scene, const Assets& assets, const Node& node) {
+    const int shape = indexOfShape(scene, node.shape.name);
+    if (shape < 0) return nullptr;
+    const auto& field = assets.fields[static_cast<size_t>(shape)];
+    return field ? &*field : nullptr;
+}
+
 void nodeRows(const Scene& scene, const Assets& assets, const Node& node, Controls& controls) {
     const std::string path = "node." + node.name;
     controls.options(path, nodeOptions(), node);
-    const int shape = indexOfShape(scene, node.shape.name);
-    if (shape < 0) return;
-    if (const auto& field = assets.fields[static_cast<size_t>(shape)])
+    if (const Snippet* field = fieldOf(scene, assets, node))
         controls.parameters(path, *field, node.set);
+}
+
+/// A search leaves only what it finds.
+bool nodeFound(const Scene& scene, const Assets& assets, const Node& node,
+               const Controls& controls) {
+    const std::string path = "node." + node.name;
+    const Snippet* field = fieldOf(scene, assets, node);
+    return controls.finds(path, nodeOptions()) ||
+           (field != nullptr && controls.finds(path, *field));
+}
+
+bool materialFound(const Scene& scene, const Assets& assets, size_t i, const Controls& controls) {
+    const std::string path = "material." + scene.materials[i].name;
+    const auto& snippet = assets.materials[i];
+    return controls.finds(path, materialOptions()) || (snippet && controls.finds(path, *snippet));
 }
 
 void materialRows(const Scene& scene, const Assets& assets, size_t i, Controls& controls) {
@@ -61,8 +82,10 @@ template <class T>
 void listRows(const char* section, const std::vector<T>& list, const OptionTable<T>& table,
               Controls& controls) {
     for (const T& entry : list) {
-        if (entry.name.empty() || !object(entry.name, controls)) continue;
-        controls.options(fmt::format("{}.{}", section, entry.name), table, entry);
+        const std::string path = fmt::format("{}.{}", section, entry.name);
+        if (entry.name.empty() || !controls.finds(path, table)) continue;
+        if (!object(entry.name, controls)) continue;
+        controls.options(path, table, entry);
         ImGui::TreePop();
     }
 }
@@ -89,14 +112,16 @@ void Panel::draw(const Scene& scene, const Assets& assets, Edits& edits, Selecti
     if (header("Cameras", controls)) listRows("camera", scene.cameras, cameraOptions(), controls);
     if (header("Materials", controls))
         for (size_t i = 0; i < scene.materials.size(); ++i)
-            if (object(scene.materials[i].name, controls)) {
+            if (materialFound(scene, assets, i, controls) &&
+                object(scene.materials[i].name, controls)) {
                 materialRows(scene, assets, i, controls);
                 ImGui::TreePop();
             }
     if (header("Objects", controls))
         for (size_t i = 0; i < scene.nodes.size(); ++i) {
             const Node& node = scene.nodes[i];
-            if (node.name.empty() || !object(node.name, controls)) continue;
+            if (node.name.empty() || !nodeFound(scene, assets, node, controls)) continue;
+            if (!object(node.name, controls)) continue;
             if (ImGui::SmallButton("select")) selection = {static_cast<int>(i), true};
             nodeRows(scene, assets, node, controls);
             ImGui::TreePop();

@@ -31,7 +31,8 @@ constexpr double kRestSeconds = 0.15;  // of quiet until the fine picture begins
 constexpr double kWatchSeconds = 0.1;  // between looks at the files
 constexpr double kMessageSeconds = 4;
 constexpr float kFlightSeconds = 0.7f;
-constexpr int kSettlingFrames = 3;   // the interface answers an event within so many
+// The interface answers an event, and learns the size of a new text, within so many frames.
+constexpr int kSettlingFrames = 3;
 constexpr float kPanelWidth = 340;   // ImGui units
 constexpr float kClickDistance = 3;  // a mouse that moves farther drags
 
@@ -92,8 +93,7 @@ class Viewer {
         click();
         if (timeline_.advance(elapsed)) showMoment(Latencies::Kind::kPlay);
         follow();
-        if (!busy && settling_ == 0 && !changed_) return window_->skip();
-        changed_ = false;
+        if (!busy && settling_ == 0) return window_->skip();
         draw();
         latencies_.add(kind_, secondsSince(before_));
     }
@@ -134,7 +134,7 @@ class Viewer {
         if (change == OpenScene::Change::kAll) showAll();
         if (change == OpenScene::Change::kNumbers) showMoment(Latencies::Kind::kEdit);
         if (change != OpenScene::Change::kNone || broken != scene_.problems().hasErrors())
-            changed_ = true;
+            settling_ = kSettlingFrames;
     }
 
     void showAll() {
@@ -171,7 +171,7 @@ class Viewer {
     void say(std::string text) {
         message_ = std::move(text);
         messageAt_ = Clock::now();
-        changed_ = true;
+        settling_ = kSettlingFrames;
     }
 
     // ---- the interface ----
@@ -346,7 +346,6 @@ class Viewer {
     Clock::time_point messageAt_{}, before_ = Clock::now(), lastMove_{}, lastLook_{};
     int settling_ = kSettlingFrames;
     bool panelShown_ = true, helpShown_ = false, pictureWanted_ = false;
-    bool changed_ = true;  ///< something else than an event asks for a new frame
 };
 
 }  // namespace
