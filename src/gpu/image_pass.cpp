@@ -89,14 +89,12 @@ void PassRunner::draw(const Program& program, const PassImages& images, PixelRow
     const int width = images.outputs[0].second->width(),
               height = images.outputs[0].second->height();
     const int end = std::min(rows.end, height);
-    glViewport(0, 0, width, height);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(0, rows.begin, width, std::max(0, end - rows.begin));
+    // Not by the scissor: llvmpipe would compile every program once more for it.
+    glViewport(0, rows.begin, width, std::max(0, end - rows.begin));
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(vertexArray_);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_SCISSOR_TEST);
     for (const GLenum attachment : buffers)
         if (attachment != GL_NONE)
             glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, 0, 0);

@@ -26,7 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kBudget = 0.080;      // s for a frame while something moves
+constexpr double kBudget = 0.070;      // s for a frame while something moves
 constexpr double kRestSeconds = 0.15;  // of quiet until the fine picture begins
 constexpr double kWatchSeconds = 0.1;  // between looks at the files
 constexpr double kMessageSeconds = 4;
