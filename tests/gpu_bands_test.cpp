@@ -105,6 +105,25 @@ TEST_F(BandsTest, MakeTheSameViews) {
     }
 }
 
+/// Layers are of the sharp first sample, whatever the lens.
+TEST_F(BandsTest, MakeTheSameLayers) {
+    const LoadedScene loaded = things(false);
+    Frame frame(context(), loaded.packed, Backend::kFragment, true);
+    for (const float fStop : {0.0f, 0.5f}) {
+        SCOPED_TRACE(fStop);
+        FrameRequest r = request(View::kColor, 1, Primary::kRaster);
+        r.camera.fStop = fStop;
+        r.layers = true;
+        expectSame(frame, r);
+        const LayerImages bands = frame.layers();
+        atOnce(frame, r);
+        const LayerImages whole = frame.layers();
+        EXPECT_EQ(whole.depth.pixels, bands.depth.pixels);
+        EXPECT_EQ(whole.ids.pixels, bands.ids.pixels);
+        EXPECT_EQ(whole.normal.pixels, bands.normal.pixels);
+    }
+}
+
 TEST_F(BandsTest, ComputeDrawsAllAtOnce) {
     if (!context().info().compute) GTEST_SKIP() << "no compute shaders";
     const LoadedScene loaded = things(false);

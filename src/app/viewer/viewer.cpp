@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <algorithm>
 #include <chrono>
@@ -351,6 +354,11 @@ class Viewer {
 }  // namespace
 
 int view(const ViewOptions& options) {
+#ifdef __GLIBC__
+    // A software driver keeps images in the heap. Those of scenes that are gone go back to the
+    // system, instead of leaving holes that the next ones do not fit.
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
     return Viewer(options).run();
 }
 
