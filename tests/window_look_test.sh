@@ -10,6 +10,7 @@ start_window scene.toml
 # ---- what is shown is what `render` draws ----
 shoot
 first=$shot
+cp "$shot" first.png
 screen start
 size=$(identify -format '%wx%h' "$first")
 [ "$size" = 380x450 ] || fail "the picture is $size"
@@ -66,6 +67,41 @@ shoot
 [ "$(identify -format '%wx%h' "$shot")" = 720x450 ] || fail "Tab does not hide the panel"
 xdotool key Tab
 shows "$first" || fail "Tab does not bring the panel back"
+
+# ---- two views side by side ----
+"$program" render scene.toml -o normal.png --resolution "$size" --view normal || fail "render"
+convert normal.png -crop 160x360+210+40 +repage right.png
+convert first.png -crop 160x360+10+40 +repage left.png
+side() { # of the screen, as in the picture $1 at x $2
+    import -window root -crop "160x360+$2+40" +repage -depth 8 screen.png && same "$1" screen.png
+}
+xdotool mousemove 190 225 key v
+soon 20 side right.png 210
+soon 20 side left.png 10
+screen split
+drag 1 190 225 -36 0  # the line, to x = 10
+convert normal.png -crop 160x360+30+40 +repage most.png
+soon 20 side most.png 30
+xdotool mousemove 300 225 key v
+convert first.png -crop 160x360+30+40 +repage most.png
+soon 20 side most.png 30
+
+# ---- a view that counts, by the menu ----
+"$program" render scene.toml -o nodes.png --resolution "$size" --view nodes || fail "render"
+show() { # entry of the menu at y
+    xdotool mousemove 581 10 click 1
+    sleep 0.5
+    xdotool mousemove 581 "$1"
+    sleep 0.3
+    xdotool click 1
+    sleep 0.3
+    xdotool mousemove 190 440
+}
+show 255
+shows nodes.png || fail "the menu does not show the nodes"
+screen views
+show 34
+shows "$first" || fail "the menu does not show the colours again"
 
 # ---- nothing moves, nothing is done ----
 ticks() { awk '{print $14 + $15}' "/proc/$window_process/stat"; }

@@ -184,6 +184,8 @@ void Window::end() {
     ImGui::Render();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, width_, height_);
+    // ImGui goes back to the program that it finds, which may be deleted and live only until then.
+    glUseProgram(0);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
     checkGl("showing the window");
@@ -200,14 +202,17 @@ void Window::clear() {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void Window::show(const Texture& picture, PixelRectangle part) {
+void Window::show(const Texture& picture, PixelRectangle part, PixelRectangle clip) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.id(),
                            0);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(clip.x, clip.y, clip.width, clip.height);
     const bool same = part.width == picture.width() && part.height == picture.height();
     glBlitFramebuffer(0, 0, picture.width(), picture.height(), part.x, part.y, part.x + part.width,
                       part.y + part.height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
+    glDisable(GL_SCISSOR_TEST);
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }

@@ -67,9 +67,11 @@ class Window {
     void end();
     /// Ends the frame without drawing: the window stays as it is.
     void skip();
-    /// Clears the window, then fills `part` with the texture, whatever its size.
+    /// Clears the window, then fills `part` with the texture, whatever its size; only what of it
+    /// is inside of `clip`.
     void clear();
-    void show(const Texture& picture, PixelRectangle part);
+    void show(const Texture& picture, PixelRectangle part, PixelRectangle clip);
+    void show(const Texture& picture, PixelRectangle part) { show(picture, part, part); }
 
     /// The keys pressed since the last call. ImGui forgets those that are up again when a frame
     /// begins, which may be late on a slow machine.

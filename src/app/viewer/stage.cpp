@@ -26,8 +26,8 @@ bool same(const Stage::Wish& a, const Stage::Wish& b) {
 
 }  // namespace
 
-void Stage::setScene(const LoadedScene& scene) {
-    auto next = std::make_unique<Frame>(context_, scene.packed, Backend::kAuto, false);
+void Stage::setScene(const LoadedScene& scene, bool counters) {
+    auto next = std::make_unique<Frame>(context_, scene.packed, Backend::kAuto, counters);
     // Compiles all programs while the frame before is still there, if these do not.
     Wish wish = wish_;
     wish.width = std::max(1, wish.width);
@@ -45,6 +45,7 @@ void Stage::setScene(const LoadedScene& scene) {
         throw;
     }
     frame_ = std::move(next);
+    counters_ = counters;
     begun_ = finished_ = false;
 }
 

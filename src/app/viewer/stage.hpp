@@ -15,8 +15,10 @@ class Stage {
     explicit Stage(const Context& context) : context_(context) {}
 
     /// Shows another scene. Throws InputError if a snippet does not compile; then the scene before
-    /// stays.
-    void setScene(const LoadedScene& scene);
+    /// stays. Views that show counters need `counters`, which cost time.
+    void setScene(const LoadedScene& scene, bool counters);
+    /// Whether this view can be shown without another setScene().
+    [[nodiscard]] bool canShow(View view) const { return counters_ || !showsCounters(view); }
     /// The same scene with other numbers.
     void update(const PackedMoment& moment);
     /// The record under a pixel of the window's picture, from the upper left.
@@ -49,7 +51,7 @@ class Stage {
     std::unique_ptr<Frame> frame_;
     Pace pace_;
     Wish wish_;
-    bool begun_ = false, finished_ = false;
+    bool begun_ = false, finished_ = false, counters_ = false;
     const Texture* picture_ = nullptr;
     int samplesDrawn_ = 0;
     float drawnScale_ = 1;

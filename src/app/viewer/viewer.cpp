@@ -18,6 +18,7 @@
 #include "app/viewer/overlay.hpp"
 #include "app/viewer/panel.hpp"
 #include "app/viewer/pilot.hpp"
+#include "app/viewer/split.hpp"
 #include "app/viewer/stage.hpp"
 #include "base/file.hpp"
 #include "gpu/window.hpp"
@@ -62,7 +63,8 @@ class Viewer {
         : timings_(options.timings),
           window_(openWindow(options)),
           scene_(window_->context(), options.file, options.overrides),
-          stage_(window_->context()) {
+          stage_(window_->context()),
+          split_(window_->context()) {
         const std::vector<Camera>& cameras = scene_.loaded().scene.cameras;
         camera_ = static_cast<size_t>(&findCamera(scene_.loaded().scene, options.camera) -
                                       cameras.data());
@@ -82,7 +84,8 @@ class Viewer {
 
   private:
     void step() {
-        const bool busy = !stage_.finished() || timeline_.playing || pilot_.flying() || moving();
+        const bool busy = !stage_.finished() || !split_.finished() || timeline_.playing ||
+                          pilot_.flying() || moving();
         window_->begin(busy || settling_ > 0 ? 0 : kWatchSeconds);
         settling_ = window_->hadEvents() ? kSettlingFrames : std::max(0, settling_ - 1);
         const auto elapsed = static_cast<float>(secondsSince(before_));
@@ -103,11 +106,14 @@ class Viewer {
 
     void draw() {
         const Stage::Wish w = wish();
-        stage_.draw(w, kBudget);
+        const double budget = split_.isOpen() ? kBudget / 2 : kBudget;
+        stage_.draw(w, budget);
+        split_.draw(w, budget);
         if (pictureWanted_ && stage_.finished() && !w.moving) writePicture();
         window_->clear();
         if (stage_.picture() != nullptr)
             window_->show(*stage_.picture(), {0, 0, w.width, w.height});
+        split_.show(*window_, w.width, w.height);
         window_->end();
     }
 
@@ -142,7 +148,8 @@ class Viewer {
 
     void showAll() {
         try {
-            stage_.setScene(scene_.loaded());
+            stage_.setScene(scene_.loaded(), showsCounters(view_));
+            split_.setScene(scene_.loaded());
             timeline_.duration = scene_.duration();
             showMoment(Latencies::Kind::kReload);
         } catch (const InputError& error) {
@@ -154,6 +161,7 @@ class Viewer {
         try {
             const PackedMoment moment = scene_.moment(timeline_.time);
             if (!stage_.empty()) stage_.update(moment);
+            split_.update(moment);
             const std::vector<Camera>& cameras = scene_.posed().cameras;
             pilot_.follow(cameras[std::min(camera_, cameras.size() - 1)],
                           why != Latencies::Kind::kPlay);
@@ -191,6 +199,7 @@ class Viewer {
     void interface(const std::vector<Command>& commands) {
         const glm::vec2 size = pictureSize();
         if (panelShown_) panel(commands, size);
+        split_.drawLine(size, nameOf(view_), nameOf(split_.view()));
         drawProblems(scene_.problems(), size);
         if (timeline_.duration > 0 && drawTimeline(timeline_, size))
             showMoment(Latencies::Kind::kPlay);
@@ -250,10 +259,38 @@ class Viewer {
                             [this] { timeline_.playing = !timeline_.playing; }, timeline_.playing});
         for (size_t i = 0; i < viewNames().size(); ++i)
             list.push_back({"Show", viewNames()[i], "", 0, false, false,
-                            [this, i] { view_ = static_cast<View>(i); },
+                            [this, i] { showView(static_cast<View>(i)); },
                             view_ == static_cast<View>(i)});
+        addSplit(list);
         return list;
     }
+
+    void addSplit(std::vector<Command>& list) {
+        list.push_back({"Split", "Split the picture", "V", 'V', false, false,
+                        [this] { split_.isOpen() ? split_.close() : openSplit(split_.view()); },
+                        split_.isOpen()});
+        for (size_t i = 0; i < viewNames().size(); ++i) {
+            const auto view = static_cast<View>(i);
+            list.push_back({"Split", "right: " + viewNames()[i], "", 0, false, false,
+                            [this, view] { openSplit(view); },
+                            split_.isOpen() && split_.view() == view});
+        }
+    }
+
+    void showView(View view) {
+        view_ = view;
+        if (!stage_.canShow(view)) showAll();
+    }
+
+    void openSplit(View view) {
+        try {
+            split_.open(view, scene_.loaded(), scene_.moment(timeline_.time));
+        } catch (const InputError& error) {
+            scene_.report(error);
+        }
+    }
+
+    static const std::string& nameOf(View view) { return viewNames()[static_cast<size_t>(view)]; }
 
     void addCameras(std::vector<Command>& list) {
         const std::vector<Camera>& cameras = scene_.loaded().scene.cameras;
@@ -339,6 +376,7 @@ class Viewer {
     std::unique_ptr<Window> window_;
     OpenScene scene_;
     Stage stage_;
+    Split split_;
     Pilot pilot_;
     size_t camera_ = 0;  ///< in Scene::cameras: the one that the pilot has taken
     Timeline timeline_;
