@@ -8,7 +8,9 @@
 // The time is that of the processor on a software driver, with one thread (LP_NUM_THREADS=1), else
 // wall time; runs alternate, medians count.
 //
-//   field_bench [--runs N] [--most N]
+// With --first-hits only the finders of first hits are compared.
+//
+//   field_bench [--runs N] [--most N] [--first-hits]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "first_hits.hpp"
 #include "frame/frame.hpp"
 
 namespace vitrine {
@@ -113,11 +116,12 @@ struct FieldScene {
     }
 };
 
-FieldScene instances(int count) {
+/// `size`: of each, instead of such that the sum of all cross sections stays the same.
+FieldScene instances(int count, float size = 0) {
     FieldScene s;
     s.addShape(parse(kBall));
     s.addShape(parse(kBox));
-    for (const Placed& p : scatter(count)) s.addNode(p.box ? 1 : 0, p.at, p.size);
+    for (const Placed& p : scatter(count)) s.addNode(p.box ? 1 : 0, p.at, size > 0 ? size : p.size);
     return s;
 }
 
@@ -139,12 +143,13 @@ FieldScene bruteForce(int count) {
     return s;
 }
 
-FieldScene different(int snippets, int count) {
+FieldScene different(int snippets, int count, float size = 0) {
     FieldScene s;
     for (int i = 0; i < snippets; ++i) s.addShape(parse(boxOfItsOwn(i)));
     const std::vector<Placed> placed = scatter(count);
     for (size_t i = 0; i < placed.size(); ++i)
-        s.addNode(i % static_cast<size_t>(snippets), placed[i].at, placed[i].size);
+        s.addNode(i % static_cast<size_t>(snippets), placed[i].at,
+                  size > 0 ? size : placed[i].size);
     return s;
 }
 
@@ -220,6 +225,36 @@ void print(int count, const char* what, const Cost& c) {
     std::fflush(stdout);
 }
 
+void printFirstHits(const Context& context, int count, const std::string& what,
+                    const FieldScene& scene, int runs) {
+    FirstHits finders(context, scene.pack(), request().camera, 2 * kWidth, 2 * kHeight);
+    const FirstHits::Result r = finders.compare(runs);
+    fmt::print("{:6} {:<18} {:7.2f} {:8.1f} {:8.1f} {:6.2f} {:8.1f} {:6.2f} {:9.0f} {:9.0f}\n",
+               count, what, finders.cover(), 1e3 * r.boxes, 1e3 * r.tree, r.treeRatio,
+               1e3 * r.trace, r.traceRatio, 1e3 * r.boxesFirst, 1e3 * r.treeFirst);
+    std::fflush(stdout);
+}
+
+/// Who finds the first hits: the boxes of the fields, the tree over them, or the tracer.
+void runFirstHits(int runs, int most) {
+    setenv("LP_NUM_THREADS", "1", 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    const auto context = Context::createHeadless();
+    fmt::print("{}, {} x {}, ms\n{:>6} {:<18} {:>7} {:>8} {:>8} {:>6} {:>8} {:>6} {:>9} {:>9}\n",
+               context->info().renderer, 2 * kWidth, 2 * kHeight, "N", "", "cover", "boxes", "tree",
+               "ratio", "trace", "ratio", "1st boxes", "1st tree");
+    for (int count = 8; count <= most; count *= 8)
+        printFirstHits(*context, count, "instances", instances(count), runs);
+    for (const int count : {8, 64, 512})
+        for (const float size : {0.1f, 0.2f, 0.4f})
+            printFirstHits(*context, count, fmt::format("of size {}", size), instances(count, size),
+                           runs);
+    for (const int snippets : {1, 2, 4, 8, 16})
+        for (const float size : {0.0f, 0.35f, 0.5f})
+            printFirstHits(*context, 64, fmt::format("{} snippets, {}", snippets, size),
+                           different(snippets, 64, size), runs);
+}
+
 void run(int runs, int most) {
     setenv("LP_NUM_THREADS", "1", 1);  // read by llvmpipe when it makes its first context
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
@@ -255,12 +290,16 @@ void run(int runs, int most) {
 
 int main(int argc, char** argv) {
     int runs = 5, most = 4096;
-    for (int i = 1; i + 1 < argc; i += 2) {
-        if (std::string(argv[i]) == "--runs") runs = std::max(1, std::atoi(argv[i + 1]));
-        if (std::string(argv[i]) == "--most") most = std::max(8, std::atoi(argv[i + 1]));
+    bool firstHits = false;
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        const bool valued = i + 1 < argc;
+        firstHits |= argument == "--first-hits";
+        if (argument == "--runs" && valued) runs = std::max(1, std::atoi(argv[++i]));
+        if (argument == "--most" && valued) most = std::max(8, std::atoi(argv[++i]));
     }
     try {
-        vitrine::run(runs, most);
+        firstHits ? vitrine::runFirstHits(runs, most) : vitrine::run(runs, most);
         return 0;
     } catch (const std::exception& error) {
         fmt::print(stderr, "field_bench: {}\n", error.what());

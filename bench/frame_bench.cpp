@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Where a frame's time goes, on a scene: who finds the first hits faster, the rasteriser or the
-// tracer, and what each pass of a whole frame costs, with the rays that it traced.
+// Where a frame's time goes, on a scene: who finds the first hits faster, the rasteriser (with the
+// boxes of the fields or with the tree over them) or the tracer, and what each pass of a whole
+// frame costs, with the rays that it traced.
 //
-// The two finders run in turn, so that a slow moment of the machine hits both; the ratio is the
-// median over the pairs. On a software driver the time is that of the processor, which counts no
+// The finders run in turn, so that a slow moment of the machine hits both; the ratio is the
+// median over the rounds. On a software driver the time is that of the processor, which counts no
 // waiting for other programs; on a GPU it is wall time.
 //
-//   frame_bench [--scene FILE] [--size WxH] [--pairs N] [--json FILE]
+//   frame_bench [--scene FILE] [--size WxH] [--pairs N] [--first-hits] [--json FILE]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -17,10 +18,8 @@
 
 #include "app/session/session.hpp"
 #include "base/file.hpp"
+#include "first_hits.hpp"
 #include "frame/frame.hpp"
-#include "frame/passes.hpp"
-#include "pack/camera.hpp"
-#include "stopwatch.hpp"
 
 namespace vitrine {
 namespace {
@@ -29,6 +28,7 @@ struct Options {
     std::string scene = VITRINE_ROOT "/scenes/tank.toml", json;
     int width = 1920, height = 1200;
     int pairs = 7;
+    bool frame = true;
 };
 
 LoadedScene load(const Options& options, const std::vector<std::string>& overrides) {
@@ -41,43 +41,21 @@ LoadedScene load(const Options& options, const std::vector<std::string>& overrid
 nlohmann::json benchFirstHits(const Context& gpu, const LoadedScene& loaded, const Options& options,
                               int ssaa) {
     const int width = options.width * ssaa, height = options.height * ssaa;
-    const PackedScene& packed = loaded.packed;
-    PassContext context(gpu.info(),
-                        ProgramSet(gpu.info(), Backend::kAuto, packed.shaders,
-                                   {packed.hasMeshes, packed.hasFields, false}),
-                        false);
-    context.scene.upload(packed);
-    context.block = packed.block;
-    packCamera(loaded.scene.cameras[0], width, height, context.block);
-    Texture rastered(width, height, TexelFormat::kRgba32ui);
-    Texture traced(width, height, TexelFormat::kRgba32ui);
-    const DepthImage depth(width, height);
-    const std::vector<RasterDraw> draws = rasterDraws(context, packed.instances);
-
-    const Stopwatch watch(gpu.info().software);
-    const auto raster = [&] {
-        rasterPass(context, draws, depth, rastered);
-        finishGpu();
-    };
-    const auto trace = [&] {
-        visibilityPass(context, traced);
-        finishGpu();
-    };
-    std::vector<double> rasterSeconds, traceSeconds, ratios;
-    for (int pair = -1; pair < options.pairs; ++pair) {
-        const double a = watch.secondsOf(raster), b = watch.secondsOf(trace);
-        if (pair < 0) continue;  // compiles
-        rasterSeconds.push_back(a);
-        traceSeconds.push_back(b);
-        ratios.push_back(b / a);
-    }
-    std::printf("%5d x %-5d raster %7.1f ms  trace %7.1f ms  ratio %.2f\n", width, height,
-                1e3 * median(rasterSeconds), 1e3 * median(traceSeconds), median(ratios));
+    FirstHits finders(gpu, loaded.packed, loaded.scene.cameras[0], width, height);
+    const FirstHits::Result r = finders.compare(options.pairs);
+    std::printf(
+        "%5d x %-5d raster %7.1f ms (cover %.2f)  with the tree %7.1f ms, ratio %.2f  trace %7.1f "
+        "ms, ratio %.2f\n",
+        width, height, 1e3 * r.boxes, finders.cover(), 1e3 * r.tree, r.treeRatio, 1e3 * r.trace,
+        r.traceRatio);
     return {{"width", width},
             {"height", height},
-            {"raster_seconds", median(rasterSeconds)},
-            {"trace_seconds", median(traceSeconds)},
-            {"ratio", median(ratios)}};
+            {"cover", finders.cover()},
+            {"raster_seconds", r.boxes},
+            {"raster_with_tree_seconds", r.tree},
+            {"trace_seconds", r.trace},
+            {"tree_ratio", r.treeRatio},
+            {"ratio", r.traceRatio}};
 }
 
 /// One whole frame, twice: without counters for the time, with them for the rays.
@@ -105,6 +83,7 @@ nlohmann::json benchFrame(const Context& gpu, const Options& options) {
     std::printf("\n%d x %d pixels, ssaa 2, 2 bounces, one sample; seconds of wall time\n",
                 options.width, options.height);
     const std::map<std::string, uint64_t> raysByPass{{"raster", rays.primaryRays},
+                                                     {"march", rays.primaryRays},
                                                      {"visibility", rays.primaryRays},
                                                      {"light", rays.shadowRays},
                                                      {"bounce", rays.bounceRays}};
@@ -128,7 +107,7 @@ int run(const Options& options) {
     nlohmann::json report{{"renderer", context->info().renderer}, {"scene", options.scene}};
     for (const int ssaa : {1, 2})
         report["first_hits"].push_back(benchFirstHits(*context, loaded, options, ssaa));
-    report["frame"] = benchFrame(*context, options);
+    if (options.frame) report["frame"] = benchFrame(*context, options);
     if (!options.json.empty()) writeFileAtomically(options.json, report.dump(2) + "\n");
     return 0;
 }
@@ -141,7 +120,9 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string argument = argv[i];
         const bool valued = i + 1 < argc;
-        if (argument == "--scene" && valued) {
+        if (argument == "--first-hits") {
+            options.frame = false;
+        } else if (argument == "--scene" && valued) {
             options.scene = argv[++i];
         } else if (argument == "--json" && valued) {
             options.json = argv[++i];
@@ -154,7 +135,7 @@ int main(int argc, char** argv) {
         } else {
             std::fprintf(stderr,
                          "usage: frame_bench [--scene FILE] [--size WxH] [--pairs N] "
-                         "[--json FILE]\n");
+                         "[--first-hits] [--json FILE]\n");
             return 2;
         }
     }

@@ -148,7 +148,7 @@ TEST_F(CliGpu, StatisticsHaveAllKeys) {
     EXPECT_GT(json["largest_loop_count"], 0);
     EXPECT_LT(json["largest_loop_count"], 65535) << "where llvmpipe ends loops without a word";
     for (const char* pass :
-         {"raster", "visibility_fields", "light", "bounce", "accumulate", "display"})
+         {"raster", "march", "light", "bounce", "accumulate", "display"})
         EXPECT_GE(json["seconds_by_pass"].at(pass), 0.0) << pass;
     EXPECT_EQ(draw("x.png", {"--json", "x.json"}).code, 0);
     EXPECT_EQ(Json::parse(read("x.json"))["samples"], 1);

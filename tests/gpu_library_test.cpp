@@ -42,7 +42,10 @@ TEST_F(LibraryOnTheGpu, LooksAsItDoesInDoublePrecision) {
     for (const Example& example : library::kExamples)
         if (firsts.empty() || firsts.back()->function != example.function)
             firsts.push_back(&example);
-    ASSERT_EQ(firsts.size(), sdfLibrary().functions().size());
+    const auto& functions = sdfLibrary().functions();
+    ASSERT_EQ(firsts.size(), static_cast<size_t>(std::count_if(
+                                 functions.begin(), functions.end(),
+                                 [](const LibraryFunction& f) { return !f.examples.empty(); })));
 
     std::mt19937 random(test::seedOr(501));
     for (size_t first = 0; first < firsts.size(); first += kFieldsPerScene) {

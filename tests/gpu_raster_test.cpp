@@ -4,6 +4,9 @@
 // Fewer than 0.1 % of the pixels may be off by more than 5 of 255. They are pixels whose centre
 // lies within the rasteriser's 1/256 of an edge. A picture shifted by a tenth of a pixel fails
 // (below).
+#include <cstdlib>
+#include <filesystem>
+
 #include "gpu_support.hpp"
 #include "image/compare.hpp"
 #include "mesh/primitives.hpp"
@@ -31,11 +34,15 @@ double differing(const LoadedScene& loaded, const LoadedScene& other) {
     return compareImages(raster, trace).fractionOver;
 }
 
-LoadedScene lesson(const std::string& name, const std::vector<std::string>& overrides) {
+LoadedScene load(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
     Diagnostics diagnostics;
-    LoadedScene loaded = loadAll("scenes/" + name + ".toml", overrides, diagnostics);
+    LoadedScene loaded = loadAll(file, overrides, diagnostics);
     diagnostics.throwIfErrors();
     return loaded;
+}
+
+LoadedScene lesson(const std::string& name, const std::vector<std::string>& overrides) {
+    return load("scenes/" + name + ".toml", overrides);
 }
 
 }  // namespace
@@ -46,6 +53,18 @@ TEST_F(RasterTest, ScenesLookTheSame) {
             const LoadedScene loaded = lesson(name, {ssaa});
             EXPECT_LT(differing(loaded, loaded), kMostPixels) << name << ' ' << ssaa;
         }
+}
+
+/// Models that people made, if the environment variable VITRINE_TEST_DATA names a folder with them.
+TEST_F(RasterTest, RealModelsLookTheSame) {
+    const char* data = std::getenv("VITRINE_TEST_DATA");
+    if (data == nullptr) GTEST_SKIP() << "VITRINE_TEST_DATA is not set";
+    for (const char* name : {"FlightHelmet/FlightHelmet.gltf", "ToyCar/ToyCar.glb"}) {
+        const std::filesystem::path file = std::filesystem::path(data) / name;
+        if (!std::filesystem::exists(file)) continue;
+        const LoadedScene loaded = load(file, {"render.ao=0", "render.bounces=1"});
+        EXPECT_LT(differing(loaded, loaded), kMostPixels) << name;
+    }
 }
 
 TEST_F(RasterTest, AMovingTankLooksTheSame) {
@@ -116,6 +135,9 @@ TEST_F(RasterTest, MirroredAndSqueezedInstancesAndAnEyeInsideAMesh) {
 TEST_F(RasterTest, BacksAreSeenWhereTheyAreSeen) {
     Mesh open = makeBox(glm::vec3(0.5f)), reversed = makeBox(glm::vec3(0.5f));
     open.triangles.erase(open.triangles.begin());
+    Mesh tube = makeBox(glm::vec3(0.5f));
+    std::erase_if(tube.triangles,
+                  [&](const glm::uvec3& t) { return std::abs(tube.normals[t.x].z) > 0.5f; });
     for (glm::uvec3& t : reversed.triangles) std::swap(t.y, t.z);
     const Mesh solid = makeBox(glm::vec3(0.5f));
     struct Case {
@@ -133,7 +155,10 @@ TEST_F(RasterTest, BacksAreSeenWhereTheyAreSeen) {
                           {"into the hole", open, one, 0.6f * hole + glm::vec3(0.2f, 0.3f, 0.1f)},
                           {"into the mirrored hole", open, mirror,
                            glm::vec3(-1, 1, 1) * (0.6f * hole + glm::vec3(0.2f, 0.3f, 0.1f))},
-                          {"against the hole", open, one, -hole + glm::vec3(0.2f, 0.3f, 0.1f)}};
+                          {"against the hole", open, one, -hole + glm::vec3(0.2f, 0.3f, 0.1f)},
+                          {"into one end", tube, one, {0.9f, 0.7f, 1.7f}},
+                          {"into the other end", tube, one, {0.9f, 0.7f, -1.7f}},
+                          {"across the tube", tube, one, {1.7f, 0.9f, 0.3f}}};
     for (const bool veiled : {false, true})
         for (const Case& c : cases) {
             test::TestScene made;

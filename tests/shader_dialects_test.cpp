@@ -23,13 +23,17 @@ struct Target {
     const char* glslangStage;
 };
 
-constexpr Target kTargets[] = {{ShaderStage::kFragment, Dialect::kEs300, "frag"},
+constexpr Target kTargets[] = {{ShaderStage::kVertex, Dialect::kEs300, "vert"},
+                               {ShaderStage::kVertex, Dialect::kGl410, "vert"},
+                               {ShaderStage::kFragment, Dialect::kEs300, "frag"},
                                {ShaderStage::kFragment, Dialect::kGl410, "frag"},
                                {ShaderStage::kFragment, Dialect::kGl450, "frag"},
                                {ShaderStage::kCompute, Dialect::kGl450, "comp"}};
 
 bool entryExists(const std::string& pass, ShaderStage stage) {
-    const std::string suffix = stage == ShaderStage::kCompute ? "comp" : "frag";
+    const std::string suffix = stage == ShaderStage::kCompute  ? "comp"
+                               : stage == ShaderStage::kVertex ? "vert"
+                                                               : "frag";
     for (const EmbeddedFile& file : embeddedShaders())
         if (file.name == fmt::format("entry/{}.{}.glsl", pass, suffix)) return true;
     return false;
@@ -87,18 +91,22 @@ TEST_F(ShaderDialects, AllVariantsAreAccepted) {
     int compiled = 0;
     ProgramFeatures everything{true, true, true, true};
     everything.layers = everything.transmission = everything.filters = everything.culling = true;
-    everything.sky = everything.subsurface = true;
+    everything.sky = everything.subsurface = everything.cones = true;
+    everything.classic = everything.curvature = true;
+    ProgramFeatures conesAlone;
+    conesAlone.cones = true;
     for (const PassShader& pass : passShaders())
         for (const Target& target : kTargets) {
             if (!entryExists(pass.name, target.stage)) continue;
             for (const ProgramFeatures& features :
                  {ProgramFeatures{true, true, false}, ProgramFeatures{true, true, true},
                   ProgramFeatures{true, false, false}, ProgramFeatures{false, true, false},
-                  everything}) {
+                  conesAlone, everything}) {
                 if (!pass.traces && !features.textures &&
                     (!features.meshes || !features.fields || features.counters))
                     continue;
-                const ShaderKey key = shaderKey(pass.name, features, target.stage, target.dialect);
+                ShaderKey key = shaderKey(pass.name, features, target.stage, target.dialect);
+                if (pass.name == "march") key.defines["ONLY_FIELD"] = 1;
                 const std::string log = validate(assembleShader(key, generated.includes).text,
                                                  target.glslangStage, folder);
                 EXPECT_EQ(log, "")
@@ -107,6 +115,47 @@ TEST_F(ShaderDialects, AllVariantsAreAccepted) {
             }
         }
     EXPECT_GT(compiled, 60);
+}
+
+TEST_F(ShaderDialects, WhoHasNeitherTextbookMaterialsNorCurvatureHasNoTextOfThem) {
+    const GeneratedShaders generated = snippetsOfTheLessons();
+    const auto preprocessed = [&](const std::string& pass, const ProgramFeatures& features) {
+        const ShaderKey key = shaderKey(pass, features, ShaderStage::kFragment, Dialect::kGl450);
+        const fs::path file = folder / "shader.frag";
+        writeFileAtomically(file, assembleShader(key, generated.includes).text);
+        const fs::path out = folder / "preprocessed";
+        EXPECT_EQ(
+            std::system(fmt::format("glslangValidator -E '{}' > '{}'", file.string(), out.string())
+                            .c_str()),
+            0);
+        return readFile(out, 1 << 22);
+    };
+    ProgramFeatures plain, both;
+    both.classic = both.curvature = true;
+    const std::pair<const char*, const char*> marks[] = {{"visibility", "kBending"},
+                                                         {"bounce", "kBending"},
+                                                         {"light", "triangleCurvature ("},
+                                                         {"light", "s . shininess )"}};
+    for (const auto& [pass, mark] : marks) {
+        std::string without = preprocessed(pass, plain), with = preprocessed(pass, both);
+        // White space is as the text has it, so that all of it goes before the comparison.
+        const auto dense = [](std::string text) {
+            std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
+            return text;
+        };
+        const std::string wanted = dense(mark);
+        const auto count = [&](const std::string& text) {
+            int n = 0;
+            for (size_t at = text.find(wanted); at != std::string::npos;
+                 at = text.find(wanted, at + 1))
+                ++n;
+            return n;
+        };
+        // A function that nobody calls costs nothing; a call does.
+        EXPECT_GT(count(dense(with)), count(dense(without))) << pass << ": " << mark;
+        EXPECT_LE(count(dense(without)), mark == std::string("triangleCurvature (") ? 1 : 0)
+            << pass << ": " << mark;
+    }
 }
 
 TEST_F(ShaderDialects, AMistakeIsNoticed) {

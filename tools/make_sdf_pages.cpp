@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// make_sdf_pages FOLDER writes the scene of each picture of docs/sdf.md into FOLDER and prints
-// their names, one a line. The page itself is written by tools/sdf_pages_test.cpp.
+// make_sdf_pages FOLDER writes the scene of each picture of docs/sdf.md and docs/patterns.md into
+// FOLDER and prints their names below docs/, one a line. The pages themselves are written by
+// tools/sdf_pages_test.cpp and tools/pattern_pages_test.cpp.
 #include <fmt/format.h>
 
 #include "base/file.hpp"
+#include "pattern_pages.hpp"
 #include "sdf_pages.hpp"
 
 int main(int argc, char** argv) {
@@ -12,10 +14,18 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::filesystem::path folder = argv[1];
+    std::filesystem::create_directories(folder / "sdf");
+    std::filesystem::create_directories(folder / "patterns");
     for (const vitrine::LibraryFunction& f : vitrine::sdfLibrary().functions()) {
-        vitrine::writeFileAtomically(folder / (f.name + ".sdf.glsl"), vitrine::sdfPictureField(f));
-        vitrine::writeFileAtomically(folder / (f.name + ".toml"), vitrine::sdfPictureScene(f));
-        fmt::print("{}\n", f.name);
+        const bool pattern = vitrine::isPattern(f);
+        const std::string name = (pattern ? "patterns/" : "sdf/") + f.name;
+        const auto write = [&](const char* ending, const std::string& text) {
+            vitrine::writeFileAtomically(folder / (name + ending), text);
+        };
+        write(".sdf.glsl", pattern ? vitrine::patternPictureField(f) : vitrine::sdfPictureField(f));
+        write(".toml", pattern ? vitrine::patternPictureScene(f) : vitrine::sdfPictureScene(f));
+        if (pattern) write(".mat.glsl", vitrine::patternPictureMaterial(f));
+        fmt::print("{}\n", name);
     }
     return 0;
 }

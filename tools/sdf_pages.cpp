@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+
+#include "pattern_pages.hpp"
 
 namespace vitrine {
 
@@ -129,12 +132,14 @@ const Chapter& chapterOf(const LibraryFunction& function) {
 
 std::string sdfPage() {
     const auto& functions = sdfLibrary().functions();
-    std::string text = fmt::format(kHead, functions.size());
-    for (const LibraryFunction& f : functions) (void)chapterOf(f);
+    const auto patterns = std::count_if(functions.begin(), functions.end(), isPattern);
+    std::string text = fmt::format(kHead, functions.size() - static_cast<size_t>(patterns));
+    for (const LibraryFunction& f : functions)
+        if (!isPattern(f)) (void)chapterOf(f);
     for (const Chapter& chapter : kChapters) {
         text += fmt::format("## {}\n\n| | |\n|---|---|\n", chapter.title);
         for (const LibraryFunction& f : functions)
-            if (fileOf(f) == chapter.file) text += row(f);
+            if (!isPattern(f) && fileOf(f) == chapter.file) text += row(f);
         text += "\n";
     }
     text.pop_back();

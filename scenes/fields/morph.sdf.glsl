@@ -23,8 +23,9 @@ float sdf(vec3 p) {
                           halfHeight, mix(0.08, 0.07, grow));
     float solid = opSmoothUnion(ring, body, mix(0.01, 0.09, grow) + 0.3 * grow * (1.0 - grow));
 
-    // The hollow is a cylinder that is open above: its bottom sinks, and it widens.
-    float bottom = mix(halfHeight + 0.25, -halfHeight + 0.065, hollow);
+    // The hollow is a cylinder that is open above: it waits above all of it, then its bottom sinks,
+    // and it widens.
+    float bottom = mix(foot + 0.1, -halfHeight + 0.065, hollow);
     vec3 h = q - vec3(0.0, bottom + 1.0, 0.0);
     float inside = sdRoundedCylinder(h, mix(0.12, 0.315, hollow), 1.0, 0.06);
     return opSmoothIntersection(solid, -inside, 0.035);

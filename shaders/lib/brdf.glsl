@@ -29,6 +29,17 @@ float sheenLobe(vec3 n, vec3 toViewer, vec3 toLight, vec3 h, float alpha) {
     return distribution / (4.0 * (nDotL + nDotV - nDotL * nDotV));
 }
 
+// Blinn's highlight, scaled so that a surface seen straight on sends back all of the light, and no
+// less straight views more of it: the integral of cos^m(t / 2) cos(t) over the hemisphere, t the angle
+// between light and normal, is 8 pi (m + 2^(-m/2)) / ((m + 2) (m + 4)). (Giesen, The Blinn-Phong
+// Normalization Zoo, 2009; Akenine-Moller et al., Real-Time Rendering, 3rd ed., has (m + 8) / (8 pi),
+// which is near.)
+float blinnPhongLobe(float nDotH, float shininess) {
+    float scale = (shininess + 2.0) * (shininess + 4.0) /
+                  (8.0 * kPi * (shininess + exp2(-0.5 * shininess)));
+    return scale * pow(max(nDotH, 1.0e-4), shininess);
+}
+
 // G2 / (4 nDotL nDotV)
 float smithVisibility(float nDotL, float nDotV, float alpha) {
     float a2 = alpha * alpha;

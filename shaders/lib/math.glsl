@@ -11,6 +11,11 @@ struct Ray {
 float square(float x) { return x * x; }
 float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
+// 1 / direction without infinities: a zero component becomes a huge slope with the right answer.
+vec3 safeInverse(vec3 d) {
+    return 1.0 / mix(d, vec3(1.0e-18), lessThan(abs(d), vec3(1.0e-18)));
+}
+
 // Two unit vectors that make a right-handed frame with n (Duff et al., Building an Orthonormal
 // Basis, Revisited, JCGT 2017).
 void orthonormalBasis(vec3 n, out vec3 tangent, out vec3 bitangent) {

@@ -15,6 +15,6 @@ Layers layersPass(ivec2 pixel) {
     Ray ray = pixelRay(pixel);
     Hit hit = loadHit(record, ray);
     float depth = recordDistance(record) * dot(ray.direction, frame.cameraForward.xyz);
-    return Layers(uvec4(record.xy, uint(hit.material), 0u), vec4(hit.surface.baseColor, 1.0),
+    return Layers(uvec4(record.x, numberOf(record), uint(hit.material), 0u), vec4(hit.surface.baseColor, 1.0),
                   vec4(hit.surface.normal, depth));
 }

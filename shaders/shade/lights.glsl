@@ -32,6 +32,7 @@ struct LightSample {
     float distance;   // free way that a shadow ray needs
     vec3 irradiance;  // on a surface that faces the light; of a sized one, divided by the density
     float density;    // of the direction, per solid angle; 0: the only one there is
+    float spread;     // tangent of the angle between the middle of the light and its rim
 };
 
 // What of a lamp's light gets this far: `distance` from its middle, in direction `way` from it.
@@ -62,7 +63,14 @@ LightSample sampleRect(Light light, vec3 position, vec2 u) {
     float area = 4.0 * length(light.edgeX) * length(light.edgeY);
     return LightSample(direction, distance * 0.99999,
                        light.power * (cosine * lampShare(light, distance, -direction) / distanceSquared),
-                       distanceSquared / max(area * cosine, 1.0e-12));
+                       distanceSquared / max(area * cosine, 1.0e-12),
+                       sqrt(area * cosine / (kPi * distanceSquared)));  // of a disc as large
+}
+
+// The `u` for which sampleLight looks at the middle.
+vec2 middleOfLight(int number) {
+    bool rect = int(fetchTable(frame.tables.z + number * VITRINE_LIGHT_TEXELS).w) == VITRINE_LIGHT_RECT;
+    return rect ? vec2(0.5) : vec2(0.0);
 }
 
 LightSample sampleLight(int number, vec3 position, vec2 u) {
@@ -85,11 +93,13 @@ LightSample sampleLight(int number, vec3 position, vec2 u) {
     // The radiance, which makes light.power with the sine squared of the radius, over the density.
     vec3 irradiance = light.power * (2.0 / (2.0 - narrowness));
     float density = narrowness > 0.0 ? 1.0 / (2.0 * kPi * narrowness) : 0.0;
-    if (sun) return LightSample(direction, kInfinity, irradiance, density);
+    float spread = sqrt(narrowness * (2.0 - narrowness)) / max(1.0 - narrowness, 1.0e-3);
+    if (sun) return LightSample(direction, kInfinity, irradiance, density, spread);
     float nearSide = distance * (1.0 - down) -
                      sqrt(max(0.0, square(light.radius) - square(distance * sine)));
     return LightSample(direction, nearSide * 0.99999,
-                       irradiance * (lampShare(light, distance, -centre) / distanceSquared), density);
+                       irradiance * (lampShare(light, distance, -centre) / distanceSquared), density,
+                       spread);
 }
 
 // What a ray meets of a sized light, unless something stands before it.

@@ -8,7 +8,10 @@
 // the microfacets of the mirror is added as a factor (Turquin, Practical Multiple Scattering
 // Compensation for Microfacet Models, 2019).
 //
-// Defines: HAS_LAYERS (varnish, sheen), HAS_TRANSMISSION.
+// With HAS_CLASSIC there are surfaces that have a body and, instead of all else, the highlight of
+// Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977.
+//
+// Defines: HAS_LAYERS (varnish, sheen), HAS_TRANSMISSION, HAS_CLASSIC.
 #include "shade/surface_type.glsl"
 #include "shade/albedo_table.glsl"
 #include "lib/math.glsl"
@@ -61,6 +64,9 @@ void prepareReflection(inout Surface s, vec3 toViewer) {
     vec3 body = s.bodyShare * (1.0 - s.metallic) * s.baseColor;
     s.diffuse = (1.0 - s.transmission) * (1.0 - mirrored) * body;
     s.through = s.transmission * body;
+#if HAS_CLASSIC
+    s.diffuse *= 1.0 - maxComponent(s.highlightColor);
+#endif
 }
 
 // `cosine`: between the ray and the normal of the microfacet. From the inside, the angle that counts
@@ -160,6 +166,9 @@ Answer evaluateLobes(Surface s, vec3 toViewer, vec3 toLight, float leastAlpha, b
         value += s.sheenScale * s.sheenColor *
                  (nDotL * sheenLobe(s.normal, toViewer, toLight, h,
                                     square(max(s.sheenRoughness, kLeastSheenRoughness))));
+#endif
+#if HAS_CLASSIC
+    if (diffuseToo) value += s.highlightColor * (nDotL * blinnPhongLobe(dot(s.normal, h), s.shininess));
 #endif
     return Answer(value, pdf);
 }

@@ -39,6 +39,48 @@ void makeUnlit(inout Surface s) {
     s.transmission = 0.0;
     s.clearcoat = 0.0;
     s.sheenColor = vec3(0.0);
+    s.highlightColor = vec3(0.0);
+}
+
+#if HAS_CLASSIC
+// Nothing but the body of a material that is lambert or blinn-phong; its highlight is its own.
+void makeClassic(inout Surface s) {
+    s.metallic = 0.0;
+    s.specular = 0.0;
+    s.transmission = 0.0;
+    s.clearcoat = 0.0;
+    s.sheenColor = vec3(0.0);
+    s.subsurface = vec3(0.0);
+}
+#endif
+
+// The number in the mesh or field of what was hit.
+uint numberOf(uvec4 record) {
+    return fetchInstance(int(record.x)).kind == VITRINE_KIND_MESH ? record.y : fieldPart(record);
+}
+
+// Mean curvature of the surface that the normals of a triangle's corners suggest, 1/m: half the
+// divergence of the normal, with the vectors that are dual to the edges. All in the world.
+float triangleCurvature(vec3 edge1, vec3 edge2, vec3 turn1, vec3 turn2) {
+    vec3 n = cross(edge1, edge2);
+    float squared = dot(n, n);
+    if (squared <= 0.0) return 0.0;
+    return 0.5 * (dot(turn1, cross(edge2, n)) + dot(turn2, cross(n, edge1))) / squared;
+}
+
+// How wide a cone of width 1 is along each axis of the object, in its units. Its cross-section, thrown onto
+// the surface along the ray, is an ellipse; a row of the matrix tells how fast a coordinate
+// changes on it: by the part of the row in the plane, and along the ellipse's long axis more.
+float widthAlong(vec3 row, vec3 direction, vec3 n) {
+    float cosine = -dot(direction, n);
+    float off = dot(row, n);
+    float lengthwise = (dot(row, direction) + cosine * off) / max(cosine, 1.0e-3);
+    return sqrt(max(dot(row, row) - off * off, 0.0) + square(lengthwise));
+}
+
+vec3 widthsOf(vec4 rows[3], vec3 direction, vec3 n) {
+    return vec3(widthAlong(rows[0].xyz, direction, n), widthAlong(rows[1].xyz, direction, n),
+                widthAlong(rows[2].xyz, direction, n));
 }
 
 void clampSurface(inout Surface s) {
@@ -63,6 +105,10 @@ void clampSurface(inout Surface s) {
     s.clearcoatNormal = normalize(s.clearcoatNormal);
     s.sheenColor = clamp(s.sheenColor, 0.0, 1.0);
     s.sheenRoughness = clamp(s.sheenRoughness, 0.0, 1.0);
+#endif
+#if HAS_CLASSIC
+    s.highlightColor = clamp(s.highlightColor, 0.0, 1.0);
+    s.shininess = clamp(s.shininess, 1.0, 1.0e5);
 #endif
 }
 
@@ -111,11 +157,28 @@ void loadMaterial(inout Hit hit, Instance instance, TextureFrame geometry) {
     hit.surface.sheenColor = h.rgb;
     hit.surface.sheenRoughness = h.w;
 #endif
+    hit.surface.highlightColor = vec3(0.0);
+    hit.surface.shininess = 1.0;
+    hit.surface.curvatureRadius = 0.0;
+#if HAS_CLASSIC
+    vec4 k = fetchTable(i + 9);
+    hit.surface.highlightColor = k.rgb;
+    hit.surface.shininess = k.w;
+#endif
+#if HAS_CURVATURE
+    hit.surface.curvatureRadius = fetchTable(instance.materials + part).z;
+#endif
 #if HAS_TEXTURES
     vec4 d = fetchTable(i + 3);
     applyTextures(int(d.x), int(d.y), geometry, hit.surface);
 #endif
     evaluateMaterial(int(c.x), hit.surface, int(c.y));
+#if HAS_CLASSIC
+    if ((int(c.z) & VITRINE_MATERIAL_CLASSIC) != 0)
+        makeClassic(hit.surface);
+    else
+        hit.surface.highlightColor = vec3(0.0);
+#endif
     if ((int(c.z) & VITRINE_MATERIAL_UNLIT) != 0) makeUnlit(hit.surface);
     clampSurface(hit.surface);
 }
@@ -131,6 +194,7 @@ Hit loadHit(uvec4 record, Ray ray) {
     hit.radius = ray.radius + frame.cameraEye.w * t;
     hit.surface.position = position;
     hit.surface.localPosition = local;
+    hit.surface.curvature = 0.0;
     float lift = 1.0e-5 * (maxComponent(abs(position)) + t);
     vec3 shift = vec3(0.0);
     TextureFrame geometry =
@@ -150,6 +214,16 @@ Hit loadHit(uvec4 record, Ray ray) {
         float side = dot(worldFlat, ray.direction) > 0.0 ? -1.0 : 1.0;
         hit.geometricNormal = side * worldFlat;
         hit.surface.inside = side < 0.0;
+        hit.surface.localNormal = normalize(smoothNormal);
+#if HAS_CURVATURE
+        hit.surface.curvature = triangleCurvature(
+            transformVector(instance.worldFromObject, b.position - a.position),
+            transformVector(instance.worldFromObject, c.position - a.position),
+            normalize(transformNormal(instance.objectFromWorld, b.normal)) -
+                normalize(transformNormal(instance.objectFromWorld, a.normal)),
+            normalize(transformNormal(instance.objectFromWorld, c.normal)) -
+                normalize(transformNormal(instance.objectFromWorld, a.normal)));
+#endif
         // A mesh wound against its normals still shades on the side that is seen.
         float facing = dot(worldSmooth, hit.geometricNormal) < 0.0 ? -1.0 : 1.0;
         hit.surface.normal = facing * worldSmooth;
@@ -207,13 +281,19 @@ Hit loadHit(uvec4 record, Ray ray) {
         hit.geometricNormal = hit.surface.inside ? -n : n;
         hit.surface.normal = hit.geometricNormal;
         hit.surface.uv = vec2(0.0);
-        hit.surface.part = int(record.y);
+        hit.surface.part = int(fieldPart(record));
+        hit.surface.localNormal = normalize(transformNormal(instance.worldFromObject, n));
+#if HAS_CURVATURE
+        hit.surface.curvature = fieldCurvature(record);
+#endif
         // More than the tolerance with which the next ray will look for the same surface.
         float scale = length(transformVector(instance.worldFromObject, vec3(0.57735027)));
         lift += 0.35 * hit.radius + 2.0 * instance.finest * scale;
     }
     float cosine = max(0.1, -dot(ray.direction, hit.geometricNormal));
     hit.surface.footprint = 2.0 * hit.radius / cosine;
+    hit.surface.localFootprint =
+        hit.radius * widthsOf(instance.objectFromWorld, ray.direction, hit.geometricNormal);
     hit.rayOrigin = position + shift + lift * hit.geometricNormal;
     // Deeper by the tolerance with which a field was hit in front of itself.
     hit.behind = position - 2.0 * lift * hit.geometricNormal;

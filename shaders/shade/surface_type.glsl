@@ -9,6 +9,10 @@ struct Surface {
     float footprint;     // width of a pixel here, m: patterns finer than this should fade
     vec3 geometricNormal;  // of what is really there, world space, unit, towards the viewer
     bool inside;           // it is seen from its back
+    vec3 localNormal;      // as `normal` at first, but outwards and in object space, unit
+    vec3 localFootprint;   // the pixel's widths along the axes of the object, in its units
+    float curvature;       // mean, 1/m: 1/r on a ball of radius r, below 0 in hollows
+    float curvatureRadius; // of fields: what it is taken over, m
 
     vec3 baseColor;
     float metallic;
@@ -28,6 +32,8 @@ struct Surface {
     float sheenRoughness;
     vec3 subsurface;         // of light from behind, what comes through nothing thick; times baseColor
     float subsurfaceRadius;  // of the substance, what leaves 1/e of it, m
+    vec3 highlightColor;  // model blinn-phong: of light from one direction, what the highlight has
+    float shininess;      // and its exponent
 
     // Found from the above by prepareReflection(); what a snippet writes here is lost.
     vec3 f0;            // reflectance at normal incidence, with light that bounces on microfacets

@@ -3,7 +3,7 @@
 // the packing; C++ reads it too (pack/hit_record.hpp), so it keeps to the common subset.
 //
 //   x  instance, or VITRINE_RECORD_MISS (the ray left the scene), or VITRINE_RECORD_NONE (no ray)
-//   y  primitive of a mesh; part of a field
+//   y  primitive of a mesh; part of a field, below its curvature (packPart)
 //   z  mesh: barycentrics u, v as 2 x 16 bits; field: octahedral normal as 2 x 16 bits
 //   w  distance along the ray, bits of a float (unsigned textures flush no denormals)
 
@@ -16,6 +16,15 @@ VITRINE_INLINE uvec4 noRecord() { return uvec4(VITRINE_RECORD_NONE, 0u, 0u, 0u);
 
 VITRINE_INLINE bool isSurface(uvec4 record) { return record.x < VITRINE_RECORD_MISS; }
 VITRINE_INLINE float recordDistance(uvec4 record) { return uintBitsToFloat(record.w); }
+
+// A field's part, and in the upper half the upper half of its curvature's bits (1/m, positive where it
+// bulges): eight digits of a float; zero where nobody asks for it.
+VITRINE_INLINE uint packPart(int part, float curvature) {
+    uint bits = floatBitsToUint(curvature) + 0x8000u;
+    return uint(clamp(part, 0, 0xffff)) | (bits & 0xffff0000u);
+}
+VITRINE_INLINE uint fieldPart(uvec4 record) { return record.y & 0xffffu; }
+VITRINE_INLINE float fieldCurvature(uvec4 record) { return uintBitsToFloat(record.y & 0xffff0000u); }
 
 // Written out, because GLSL 4.10 has no packUnorm2x16.
 VITRINE_INLINE uint packBarycentrics(vec2 uv) {

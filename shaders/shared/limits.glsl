@@ -17,6 +17,12 @@
 #define VITRINE_LEAF_BIT 0x80000000u
 #define VITRINE_LAST_TRIANGLE_BIT 0x80000000u
 
+// Where the rasteriser's view begins, m before the eye (pack/camera.hpp).
+#define VITRINE_NEAR_PLANE 0.001f
+
+// Boxes drawn in one call: GLSL ES 3.00 promises no more than 256 uniform vectors.
+#define VITRINE_BOXES_A_DRAW 32
+
 // Instances: kinds of geometry, and texels of an entry of the instance table.
 #define VITRINE_KIND_MESH 0
 #define VITRINE_KIND_FIELD 1
@@ -25,7 +31,7 @@
 #define VITRINE_INSTANCE_FILTERED 2
 #define VITRINE_INSTANCE_CULLED 4
 #define VITRINE_INSTANCE_TEXELS 9
-#define VITRINE_MATERIAL_TEXELS 9
+#define VITRINE_MATERIAL_TEXELS 10
 #define VITRINE_TEXTURE_SLOT_TEXELS 3
 #define VITRINE_LIGHT_TEXELS 6
 #define VITRINE_VERTEX_TEXELS 2
@@ -59,6 +65,7 @@
 #define VITRINE_MATERIAL_SINGLE_SIDED 4
 #define VITRINE_MATERIAL_UNLIT 8
 #define VITRINE_MATERIAL_THIN 16
+#define VITRINE_MATERIAL_CLASSIC 32
 
 // Nodes of the table of directional albedos: by the cosine, by the roughness.
 #define VITRINE_ALBEDO_COSINES 32

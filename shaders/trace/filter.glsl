@@ -48,7 +48,7 @@ vec4 barrierColor(int material, vec2 uv, vec2 uv2, vec2 footprints) {
 Barrier loadBarrier(uvec4 record, Ray ray) {
     Instance instance = fetchInstance(int(record.x));
     float t = recordDistance(record);
-    int part = int(record.y);
+    int part = int(fieldPart(record));
     vec3 normal = unpackNormal(record.z);
     vec2 uv = vec2(0.0);
     vec2 second = vec2(0.0);

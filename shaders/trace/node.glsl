@@ -8,11 +8,9 @@
 //   c.xy   lower z, upper z     c.z  first slot of the children's block
 //   c.w    one byte a child: 0 for none, else 1 + its offset in the block, 0x80 for a leaf
 #include "scene/fetch.glsl"
-
-// 1 / direction without infinities: a zero component becomes a huge slope with the right answer.
-vec3 safeInverse(vec3 d) {
-    return 1.0 / mix(d, vec3(1.0e-18), lessThan(abs(d), vec3(1.0e-18)));
-}
+#if HAS_CONES
+#include "trace/cone.glsl"
+#endif
 
 vec4 bytesOf(uint word) { return vec4(uvec4(word, word >> 8u, word >> 16u, word >> 24u) & 255u); }
 
@@ -27,13 +25,19 @@ void sortPair(inout uint a, inout uint b) {
 // The children that the ray meets in [0, tMax], nearest first, as keys: distance with the child's
 // number in the two lowest bits; kNoChild if none. Distances are not negative, so that their bits
 // sort like numbers.
-uvec4 intersectChildren(Slot node, vec3 origin, vec3 inverse, float tMax) {
+// `spread`: above 0 the ray is a cone that is this wide for each unit of its length (HAS_CONES).
+uvec4 intersectChildren(Slot node, vec3 origin, vec3 inverse, float tMax, float spread) {
     vec3 grid = uintBitsToFloat((uvec3(node.a.w, node.a.w >> 8u, node.a.w >> 16u) & 255u) << 23u);
     vec3 slope = grid * inverse;
     vec3 start = (uintBitsToFloat(node.a.xyz) - origin) * inverse;
     // Four roundings of each plane's distance, bounded by the two terms' sizes: the boxes stay
     // conservative even where the terms cancel (Ize 2013).
     vec3 slack = 4.0e-7 * (abs(start) + 255.0 * abs(slope));
+#if HAS_CONES
+    vec3 low = uintBitsToFloat(node.a.xyz) - origin;
+    float farthest = length(max(abs(low), abs(low + 255.0 * grid)));
+    slack += coneRadius(spread, farthest, tMax) * abs(inverse);
+#endif
     vec3 near = start - slack;
     vec3 far = start + slack;
     bvec3 forward = greaterThanEqual(inverse, vec3(0.0));

@@ -2,7 +2,8 @@
 // The one question that every ray asks: what is there? Meshes and fields stand in one two-level
 // tree; a leaf of the upper level is a mesh with a tree of its own, or the box of a field.
 // Defines: TRACE_ANY (1: is there anything at all), HAS_MESHES, HAS_FIELDS, HAS_CULLING (triangles
-// that are not seen from behind), HAS_FILTERS (surfaces that let rays pass, see trace/filter.glsl).
+// that are not seen from behind), HAS_FILTERS (surfaces that let rays pass, see trace/filter.glsl),
+// HAS_CONES (rays that mind what they pass, see trace/cone.glsl).
 //
 // The loops have the shape that pays on CPUs that run 8 pixels in lockstep and skip nothing:
 // - one inner loop walks both levels. Its step reads three texels that are a node or a triangle
@@ -79,6 +80,9 @@ uvec4 trace(Ray ray, float tMax) {
     uvec4 passed = uvec4(0xffffffffu);  // a triangle may stand in the tree twice
 #endif
 #endif
+#if HAS_CONES
+    openCone(tMax);
+#endif
     uint current = uint(frame.counts.z);
     if (frame.counts.z < 0 || tMax <= 0.0) current = kNowhere;
 
@@ -91,7 +95,12 @@ uvec4 trace(Ray ray, float tMax) {
             Slot slot = fetchSlot(int(current & ~VITRINE_LEAF_BIT));
             bool pop;
             if (!leaf) {
-                uvec4 keys = intersectChildren(slot, origin, inverse, tBest);
+                #if HAS_CONES
+                float spread = insideMesh ? 0.0 : coneSpread();
+#else
+                const float spread = 0.0;
+#endif
+                uvec4 keys = intersectChildren(slot, origin, inverse, tBest, spread);
                 if (keys.w != kNoChild) stack[depth++] = childOf(slot, keys.w);
                 if (keys.z != kNoChild) stack[depth++] = childOf(slot, keys.z);
                 if (keys.y != kNoChild) stack[depth++] = childOf(slot, keys.y);
@@ -178,12 +187,10 @@ uvec4 trace(Ray ray, float tMax) {
 #endif
             current = kNowhere;
 #if HAS_FIELDS
-            FieldHit field = marchField(instance, instance.kind == VITRINE_KIND_FIELD, objectOrigin,
+            FieldHit field = marchField(instance, instanceIndex, instance.kind == VITRINE_KIND_FIELD, objectOrigin,
                                         objectDirection, ray.radius, start, tBest);
             if (field.hit) {
-                vec3 n = transformNormal(instance.objectFromWorld, field.normal);
-                uvec4 found = packHit(uint(instanceIndex), uint(field.part),
-                                      packNormal(normalize(n)), field.t);
+                uvec4 found = fieldRecord(instanceIndex, instance, field);
 #if HAS_FILTERS
                 pending = filtered;
                 candidate = found;
@@ -196,7 +203,11 @@ uvec4 trace(Ray ray, float tMax) {
             }
 #endif
 #if HAS_MESHES
-            if (instance.kind == VITRINE_KIND_MESH) {
+            bool entered = instance.kind == VITRINE_KIND_MESH;
+#if HAS_CONES
+            entered = entered && coneAsks != kAskTaps;
+#endif
+            if (entered) {
                 insideMesh = true;
                 floorDepth = depth;
                 origin = objectOrigin;
@@ -243,6 +254,12 @@ uvec4 trace(Ray ray, float tMax) {
     // What the ray ends in, it has entered and not left.
     if (tMax < kInfinity) depth3 += max(inside, 0.0) * tMax;
     transmittance *= exp(-max(depth3, 0.0));
+#endif
+#if HAS_CONES
+#if !HAS_FILTERS
+    transmittance = vec3(1.0);
+#endif
+    transmittance *= penumbraShare();
 #endif
     return best;
 }

@@ -54,6 +54,7 @@ void Frame::use(const PackedMoment& moment) {
     context_.programs.require(moment);
     context_.block = moment.block;
     instances_ = moment.instances;
+    quick_ = moment.block.quick;
     fieldRoot_ = moment.fieldRoot;
     // Glass needs another set of paths, which begin() makes with the other images.
     if (moment.hasTransmission && !transmissive_) allocated_ = false;
@@ -79,7 +80,13 @@ void Frame::begin(const FrameRequest& request) {
                         "allows {} a side",
                         width, height, request.ssaa, maxSide_));
     packCamera(request.camera, width, height, block);
-    if (request.samples <= 1) block.lens.x = 0;  // one sample looks through the middle of the lens
+    filters_ = request.camera.lens == LensBlur::kFilter && block.lens.x > 0 &&
+               !showsRecords(request.view) && !showsCounters(request.view);
+    if (filters_) block.lens.w = block.lens.x;
+    // One sample, and what is to be filtered, looks through the middle of the lens.
+    if (request.samples <= 1 || filters_) block.lens.x = 0;
+    // The reference takes no short cuts with light.
+    block.quick = request.mode == RenderMode::kReference ? glm::ivec4(0) : quick_;
     block.shading.x = request.time;
     block.image.w = static_cast<int>(request.view);
     block.path.x = static_cast<int>(request.mode);
@@ -90,6 +97,7 @@ void Frame::begin(const FrameRequest& request) {
     block.sampling.w = request.seed;
     chooseProbes();
     if (request.view == View::kBvh) treeBoxes_.upload(treeLevel(instances_, request.treeLevel));
+    if (filters_ && (resized || !lensFilter_)) lensFilter_.emplace(width, height, maxSide_);
     if (resized) allocate();
 }
 
@@ -211,19 +219,22 @@ bool Frame::rasters() const {
     return request_.primary == Primary::kRaster && rasterPossible_ && context_.block.lens.x <= 0;
 }
 
-/// The meshes among the first hits, if they are to be rasterised.
+/// What of the first hits is found for the whole picture at once, if they are rasterised: meshes
+/// and, with counters, which are written as a whole, fields.
 void Frame::rasterise() {
     if (!rasters()) return;
-    const std::vector<RasterDraw> draws = rasterDraws(context_, instances_);
-    rasterPass(context_, draws, depth_, paths_[fieldRoot_ >= 0 ? 1 : 0].records);
+    hits_ = planFirstHits(context_, instances_, FieldFinder::kFaster);
+    rasterMeshes(context_, hits_, depth_, paths_[1].records, paths_[0].records);
+    if (context_.counting)
+        findFields(context_, hits_, fieldRoot_, depth_, paths_[1].records, paths_[0].records);
 }
 
 void Frame::findFirstHits() {
     context_.block.sampling.z = 0;
     if (!rasters())
         visibilityPass(context_, paths_[0].records);
-    else if (fieldRoot_ >= 0)
-        visibilityFieldsPass(context_, fieldRoot_, paths_[1].records, paths_[0].records);
+    else if (!context_.counting)
+        findFields(context_, hits_, fieldRoot_, depth_, paths_[1].records, paths_[0].records);
 }
 
 /// Light at the first hits, then bounce by bounce. Leaves the result in radiance_[0].
@@ -255,6 +266,16 @@ void Frame::followBounces() {
     }
 }
 
+/// The mean of the samples, blurred if that is left to the filter.
+const Texture& Frame::finished() {
+    if (!filters_) return mean_[0];
+    // The bounces have overwritten the records.
+    context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
+    rasterise();
+    findFirstHits();
+    return lensFilter_->blur(context_, mean_[0], paths_[0].records);
+}
+
 const Texture& Frame::display() {
     if (request_.view == View::kBvh) {
         // The bounces have overwritten the records. Through the middles of the pixels, so that they
@@ -264,12 +285,13 @@ const Texture& Frame::display() {
         rasterise();
         findFirstHits();
     }
+    const Texture* light = &finished();
     if (picture_.width() != request_.width || picture_.height() != request_.height)
         picture_ = Texture(request_.width, request_.height, TexelFormat::kRgba8);
     const glm::ivec4 drawn = context_.block.image;
     context_.block.image.x = request_.width;
     context_.block.image.y = request_.height;
-    displayPass(context_, mean_[0], picture_);
+    displayPass(context_, *light, picture_);
     if (request_.view == View::kBvh) boxesPass(context_, treeBoxes_, paths_[0].records, picture_);
     context_.block.image = drawn;
     return picture_;
@@ -305,8 +327,8 @@ ImageRgba8 Frame::picture() {
     return image;
 }
 
-LayerImages Frame::layers() const {
-    return readLayers(mean_[0], layers_, request_.ssaa);
+LayerImages Frame::layers() {
+    return readLayers(finished(), layers_, request_.ssaa);
 }
 
 void Frame::addCounts() {

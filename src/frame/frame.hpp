@@ -3,8 +3,10 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
+#include "frame/first_hits.hpp"
 #include "frame/passes.hpp"
 #include "frame/tree_boxes.hpp"
 #include "frame/view.hpp"
@@ -74,7 +76,7 @@ class Frame {
     /// The same as display(), top row first.
     [[nodiscard]] ImageRgba8 picture();
     /// The picture as data. Needs a request with `layers`.
-    [[nodiscard]] LayerImages layers() const;
+    [[nodiscard]] LayerImages layers();
     [[nodiscard]] FrameStatistics statistics();
     [[nodiscard]] Backend backend() const { return context_.programs.backend(); }
     [[nodiscard]] double compileSeconds() const { return context_.programs.compileSeconds(); }
@@ -91,6 +93,7 @@ class Frame {
     void findFirstHits();
     void followPaths();
     void followBounces();
+    const Texture& finished();
     void addCounts();
 
     PassContext context_;
@@ -105,8 +108,12 @@ class Frame {
     bool allocated_ = false;
     LayerTextures layers_;
     DepthImage depth_;
+    FirstHitPlan hits_;
     std::vector<PackedInstance> instances_;
     TreeBoxes treeBoxes_;
+    std::optional<LensFilter> lensFilter_;
+    glm::ivec4 quick_{0};   ///< approximations that the scene asks for
+    bool filters_ = false;  ///< the lens is a filter
     std::shared_ptr<const SkyAsset> sky_;
     int fieldRoot_ = -1;
     bool transmissive_ = false;  ///< there is glass

@@ -48,6 +48,19 @@ void PassContext::draw(const std::string& pass, const RasterImages& images,
     if (counting) counters[0].clear();
 }
 
+void PassContext::drawBoxes(const std::string& pass, int onlyField, const RasterImages& images,
+                            BoxTarget target, std::span<const BoxDraw> draws) {
+    const Program& program = programs.get(pass, onlyField);
+    RasterImages all = images;
+    all.buffers = scene.bindings();
+    all.arrays = scene.arrays();
+    uniforms_.upload(std::as_bytes(std::span(&block, 1)));
+    const bool timed = timing && target != BoxTarget::kSum;  // counting is no part of a frame
+    if (timed) timer_.begin(pass);
+    boxRunner_.run(program, uniforms_, all, target, VITRINE_RECORD_MISS, draws, rows);
+    if (timed) timer_.end();
+}
+
 void PassContext::overlay(const std::string& pass, PassImages images, int vertices) {
     const Program& program = programs.get(pass);
     for (const auto& buffer : scene.bindings()) images.buffers.push_back(buffer);

@@ -8,6 +8,7 @@
 #include "frame/gpu_scene.hpp"
 #include "frame/programs.hpp"
 #include "frame/raster_order.hpp"
+#include "gpu/box_pass.hpp"
 #include "gpu/overlay_pass.hpp"
 #include "gpu/raster_pass.hpp"
 #include "gpu/timer.hpp"
@@ -33,6 +34,10 @@ class PassContext {
     void draw(const std::string& pass, const RasterImages& images,
               std::span<const RasterDraw> draws);
 
+    /// Draws boxes of fields into the records, or into what counts what that costs.
+    void drawBoxes(const std::string& pass, int onlyField, const RasterImages& images,
+                   BoxTarget target, std::span<const BoxDraw> draws);
+
     /// The order in which draw() takes triangles, with the meshes of these instances in it.
     const RasterOrder& rasterOrder(std::span<const PackedInstance> instances);
 
@@ -51,6 +56,7 @@ class PassContext {
   private:
     PassRunner runner_;
     RasterRunner rasterRunner_;
+    BoxRunner boxRunner_;
     RasterOrder rasterOrder_;
     OverlayRunner overlayRunner_;
     UniformBlock uniforms_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frame/layers.hpp"
+#include "frame/lens_filter.hpp"
 #include "frame/pass_context.hpp"
 #include "frame/tree_boxes.hpp"
 #include "pack/pack_scene.hpp"
@@ -16,9 +17,27 @@ void visibilityPass(PassContext& context, Texture& records);
 /// What the rasteriser is to draw: the meshes that may be in view, the nearest first.
 std::vector<RasterDraw> rasterDraws(PassContext& context,
                                     std::span<const PackedInstance> instances);
-/// Camera rays by rasterising the meshes, then tracing the fields in front of them.
+/// Camera rays by rasterising the meshes.
 void rasterPass(PassContext& context, std::span<const RasterDraw> draws, const DepthImage& depth,
                 Texture& records);
+/// The boxes of the fields that may be in view.
+struct FieldBoxes {
+    /// Drawn by one program, the nearest first.
+    struct Group {
+        int field = kAllFields;  ///< the only field that they are of
+        std::vector<BoxDraw> boxes;
+    };
+    std::vector<Group> groups;
+    /// How many times over they cover the picture, roughly. Those that the eye stands in or nearly
+    /// touches are not counted.
+    float cover = 0;
+};
+FieldBoxes fieldBoxes(const FrameBlock& block, std::span<const PackedInstance> instances);
+/// Camera rays by marching through the fields whose boxes they meet. `first`: nothing has been
+/// found before; else records and depth are those of rasterPass().
+void marchPass(PassContext& context, const FieldBoxes& boxes, const DepthImage& depth, bool first,
+               Texture& records);
+/// Instead of that: by tracing the tree over the fields, rooted at this slot, in front of `meshes`.
 void visibilityFieldsPass(PassContext& context, int fieldRoot, const Texture& meshes,
                           Texture& records);
 
@@ -40,6 +59,12 @@ void boxesPass(PassContext& context, const TreeBoxes& boxes, const Texture& reco
                Texture& picture);
 /// What the records say, as data.
 void layersPass(PassContext& context, const Texture& records, LayerTextures& layers);
+
+/// The steps of LensFilter, in their order.
+void focusLevelsPass(PassContext& context, const Texture& mean, const Texture& records,
+                     FocusImages& images);
+void focusReachPass(PassContext& context, FocusImages& images);
+void focusPass(PassContext& context, const FocusImages& images, Texture& blurred);
 
 /// From the mean to 8 bits.
 void displayPass(PassContext& context, const Texture& mean, Texture& picture);

@@ -32,11 +32,13 @@ std::string describeOwnError(const ShaderError& error) {
 
 const std::vector<PassShader>& passShaders() {
     static const std::vector<PassShader> passes{
-        {"raster", false, true}, {"visibility", true},     {"visibility_fields", true},
-        {"light", true},         {"bounce", true},         {"accumulate", false},
-        {"display", false},      {"view", false},          {"layers", false},
-        {"boxes", false, true},  {"check_snippet", false}, {"probe_field", false},
-        {"query_closest", true}, {"query_any", true}};
+        {"raster", false, true},  {"march", true, true},       {"march_counters", true, true},
+        {"visibility", true},     {"visibility_fields", true}, {"light", true},
+        {"bounce", true},         {"accumulate", false},       {"display", false},
+        {"view", false},          {"layers", false},           {"boxes", false, true},
+        {"focus_levels", false},  {"focus_reach", false},      {"focus", false},
+        {"check_snippet", false}, {"probe_field", false},      {"query_closest", true},
+        {"query_any", true}};
     return passes;
 }
 
@@ -56,12 +58,15 @@ ProgramFeatures featuresOf(const PackedScene& scene, bool counters) {
     features.textures = scene.textures.any();
     features.layers = scene.hasLayers;
     features.subsurface = scene.hasSubsurface;
+    features.classic = scene.hasClassic;
+    features.curvature = scene.hasCurvature;
     features.vertexExtras = scene.hasVertexExtras;
     features.tangents = scene.hasTangents;
     features.transmission = scene.hasTransmission;
     features.sky = scene.sky != nullptr;
     features.filters = scene.hasFilters;
     features.culling = scene.hasCulling;
+    features.cones = scene.hasCones;
     return features;
 }
 
@@ -69,17 +74,22 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
                     Dialect dialect) {
     ShaderKey key{pass, stage, dialect, {}};
     const bool traces = findPass(pass).traces;
-    key.defines["COUNTERS"] = traces && features.counters ? 1 : 0;
+    // What is drawn over itself cannot count in the same run as it finds.
+    const bool counts = pass == "march_counters" || (features.counters && pass != "march");
+    key.defines["COUNTERS"] = traces && counts ? 1 : 0;
     key.defines["HAS_TEXTURES"] = features.textures ? 1 : 0;
     key.defines["HAS_LAYERS"] = features.layers ? 1 : 0;
     key.defines["HAS_TRANSMISSION"] = features.transmission ? 1 : 0;
     key.defines["HAS_SUBSURFACE"] = features.subsurface ? 1 : 0;
+    key.defines["HAS_CLASSIC"] = features.classic ? 1 : 0;
+    key.defines["HAS_CURVATURE"] = features.curvature ? 1 : 0;
     key.defines["HAS_SKY"] = features.sky ? 1 : 0;
     key.defines["HAS_FILTERS"] = (traces || pass == "raster") && features.filters ? 1 : 0;
     key.defines["HAS_VERTEX_EXTRAS"] = features.vertexExtras ? 1 : 0;
     key.defines["HAS_TANGENTS"] = features.textures && features.tangents ? 1 : 0;
     if (traces) {
         key.defines["HAS_CULLING"] = features.culling ? 1 : 0;
+        key.defines["HAS_CONES"] = pass == "light" && features.cones ? 1 : 0;
         const bool meshes = features.meshes && pass != "visibility_fields";
         key.defines["HAS_MESHES"] = meshes ? 1 : 0;
         key.defines["HAS_FIELDS"] = features.fields ? 1 : 0;
@@ -99,27 +109,32 @@ void ProgramSet::require(const PackedMoment& moment) {
     features_.layers |= moment.hasLayers;
     features_.transmission |= moment.hasTransmission;
     features_.subsurface |= moment.hasSubsurface;
+    features_.classic |= moment.hasClassic;
+    features_.curvature |= moment.hasCurvature;
     features_.filters |= moment.hasFilters;
     features_.culling |= moment.hasCulling;
+    features_.cones |= moment.hasCones;
     if (features_ != before) programs_.clear();
 }
 
-const Program& ProgramSet::get(const std::string& pass) {
-    const auto known = programs_.find(pass);
+const Program& ProgramSet::get(const std::string& pass, int onlyField) {
+    const std::string name = fmt::format("{} {}", pass, onlyField);
+    const auto known = programs_.find(name);
     if (known != programs_.end()) return known->second;
     const auto start = std::chrono::steady_clock::now();
     const Dialect dialect = gpu_.glslVersion >= 450 ? Dialect::kGl450 : Dialect::kGl410;
     const bool raster = findPass(pass).raster;
     const bool compute = backend_ == Backend::kCompute && !raster;
-    const ShaderKey key = shaderKey(
-        pass, features_, compute ? ShaderStage::kCompute : ShaderStage::kFragment, dialect);
+    ShaderKey key = shaderKey(pass, features_,
+                              compute ? ShaderStage::kCompute : ShaderStage::kFragment, dialect);
+    if (onlyField != kAllFields) key.defines["ONLY_FIELD"] = onlyField;
     try {
         Program program = raster    ? Program::raster(key, shaders_.includes)
                           : compute ? Program::compute(key, shaders_.includes)
                                     : Program::fragment(key, shaders_.includes);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         compileSeconds_ += elapsed.count();
-        return programs_[pass] = std::move(program);
+        return programs_[name] = std::move(program);
     } catch (const ShaderError& error) {
         explainShaderError(error, shaders_).throwIfErrors();
         throw std::logic_error(describeOwnError(error));

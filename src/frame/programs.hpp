@@ -24,11 +24,14 @@ struct ProgramFeatures {
     bool layers = false;        ///< varnish, sheen
     bool transmission = false;  ///< glass
     bool subsurface = false;    ///< light that comes through, scattered
+    bool classic = false;       ///< materials that are lambert or blinn-phong
+    bool curvature = false;     ///< material snippets that ask for it
     bool sky = false;           ///< a picture of it
     bool filters = false;       ///< surfaces that let rays pass
     bool culling = false;       ///< meshes not seen from behind
     bool vertexExtras = false;  ///< second texture coordinates or colours of vertices
     bool tangents = false;
+    bool cones = false;  ///< shadow rays mind what they pass
     bool operator==(const ProgramFeatures&) const = default;
 };
 ProgramFeatures featuresOf(const PackedScene& scene, bool counters);
@@ -46,6 +49,9 @@ struct PassShader {
 const std::vector<PassShader>& passShaders();
 const PassShader& findPass(const std::string& name);
 
+/// In the place of a field's number.
+inline constexpr int kAllFields = -1;
+
 class ProgramSet {
   public:
     /// `backend` must be possible on this context; kAuto takes compute on a GPU that has it and
@@ -53,9 +59,10 @@ class ProgramSet {
     ProgramSet(const GpuInfo& gpu, Backend backend, GeneratedShaders shaders,
                ProgramFeatures features);
 
+    /// `onlyField`: the program knows this field and no other.
     /// Throws InputError, placed in the user's snippet, if a snippet does not compile, and
     /// std::logic_error with the place if one of our own shaders does not.
-    const Program& get(const std::string& pass);
+    const Program& get(const std::string& pass, int onlyField = kAllFields);
     /// From now on the programs can do what this moment needs besides what they could.
     void require(const PackedMoment& moment);
     [[nodiscard]] Backend backend() const { return backend_; }

@@ -36,12 +36,12 @@ void addQuad(Mesh& mesh, uint32_t a, uint32_t b, uint32_t c, uint32_t d, uint32_
     addTriangle(mesh, a, c, d, part);
 }
 
-/// (cos, sin) of count + 1 angles around the circle; the last is the first again, and quarter
-/// turns are exact.
-std::vector<glm::vec2> circle(int count) {
+/// (cos, sin) of count + 1 angles around the circle, or this part of it; after a whole turn the
+/// last is the first again, and quarter turns are exact.
+std::vector<glm::vec2> circle(int count, double turns = 1.0) {
     std::vector<glm::vec2> points;
     for (int i = 0; i <= count; ++i) {
-        const double angle = 2.0 * glm::pi<double>() * i / count;
+        const double angle = 2.0 * glm::pi<double>() * turns * i / count;
         glm::dvec2 p(std::cos(angle), std::sin(angle));
         for (int k = 0; k < 2; ++k)
             if (std::abs(p[k]) < 1e-15) p[k] = 0.0;
@@ -118,22 +118,44 @@ Mesh makePlane(float halfX, float halfZ) {
     return mesh;
 }
 
-Mesh makeTorus(float ringRadius, float tubeRadius, int segments, int sides) {
+Mesh makeTorus(float ringRadius, float tubeRadius, int segments, int sides, float arc) {
     Mesh mesh = startMesh("torus");
     segments = std::max(segments, 3);
     sides = std::max(sides, 3);
-    const std::vector<glm::vec2> ring = circle(segments), tube = circle(sides);
+    const bool closed = arc >= 360.0f;
+    const std::vector<glm::vec2> ring = circle(segments, closed ? 1.0 : arc / 360.0);
+    const std::vector<glm::vec2> tube = circle(sides);
+    const auto outward = [&](int i) { return glm::vec3(ring[i].x, 0.0f, -ring[i].y); };
+    const auto tubeNormal = [&](int i, int j) {
+        return tube[j].x * outward(i) + glm::vec3(0.0f, tube[j].y, 0.0f);
+    };
+    const auto position = [&](int i, int j) {
+        return ringRadius * outward(i) + tubeRadius * tubeNormal(i, j);
+    };
     for (int i = 0; i <= segments; ++i)
-        for (int j = 0; j <= sides; ++j) {
-            const glm::vec3 outward(ring[i].x, 0.0f, -ring[i].y);
-            const glm::vec3 n = tube[j].x * outward + glm::vec3(0.0f, tube[j].y, 0.0f);
-            addVertex(mesh, ringRadius * outward + tubeRadius * n, n,
+        for (int j = 0; j <= sides; ++j)
+            addVertex(mesh, position(i, j), tubeNormal(i, j),
                       {fraction(i, segments), fraction(j, sides)});
-        }
     const auto at = [sides](int i, int j) { return static_cast<uint32_t>(i * (sides + 1) + j); };
     for (int i = 0; i < segments; ++i)
         for (int j = 0; j < sides; ++j)
             addQuad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    if (closed) return mesh;
+
+    for (const int end : {0, segments}) {
+        const float side = end == 0 ? -1.0f : 1.0f;
+        const glm::vec3 normal = side * glm::vec3(-ring[end].y, 0.0f, -ring[end].x);
+        const auto uv = [&](const glm::vec2& p) {
+            return 0.5f + 0.5f * glm::vec2(-side * p.x, p.y);
+        };
+        const uint32_t centre = addVertex(mesh, ringRadius * outward(end), normal, glm::vec2(0.5f));
+        for (int j = 0; j < sides; ++j) addVertex(mesh, position(end, j), normal, uv(tube[j]));
+        for (int j = 0; j < sides; ++j) {
+            uint32_t a = centre + 1 + j, b = centre + 1 + (j + 1) % sides;
+            if (end != 0) std::swap(a, b);
+            addTriangle(mesh, centre, a, b);
+        }
+    }
     return mesh;
 }
 

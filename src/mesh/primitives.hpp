@@ -18,8 +18,10 @@ Mesh makeSphere(float radius, int subdivisions = 48);
 /// Two triangles in y = 0, facing +y. The picture's upper edge is at -z.
 Mesh makePlane(float halfX, float halfZ);
 
-/// Around the y axis: the tube's centre runs on a circle of `ringRadius`.
-Mesh makeTorus(float ringRadius, float tubeRadius, int segments = 96, int sides = 48);
+/// Around the y axis: the tube's centre runs on a circle of `ringRadius`, in `segments` steps of
+/// `sides` quads. `arc` degrees of it, from +x towards -z, with flat ends unless it is all of it.
+Mesh makeTorus(float ringRadius, float tubeRadius, int segments = 96, int sides = 48,
+               float arc = 360);
 
 /// Along the y axis, with flat caps. The parts are "side", "top" and "bottom".
 Mesh makeCylinder(float radius, float halfHeight, int segments = 64);

@@ -117,6 +117,20 @@ TEST(Primitives, Torus) {
     EXPECT_EQ(bounds(mesh).max, glm::vec3(2.5f, 0.5f, 2.5f));
 }
 
+TEST(Primitives, PartOfATorus) {
+    for (const float arc : {1.0f, 90.0f, 180.0f, 300.0f}) {
+        const Mesh mesh = makeTorus(2.0f, 0.5f, 128, 64, arc);
+        expectClosed(mesh);
+        expectNotMirrored(mesh);
+        EXPECT_NEAR(measure(mesh).volume, kPi * kPi * arc / 360, 0.05 * arc / 360);
+        EXPECT_NEAR(measure(mesh).area, 4.0 * kPi * kPi * arc / 360 + 0.5 * kPi, 0.1);
+    }
+    const Mesh half = makeTorus(2.0f, 0.5f, 32, 16, 180);
+    expectGood(half, 0.97);
+    EXPECT_EQ(bounds(half).min, glm::vec3(-2.5f, -0.5f, -2.5f));
+    EXPECT_EQ(bounds(half).max, glm::vec3(2.5f, 0.5f, 0.0f));
+}
+
 TEST(Primitives, Cylinder) {
     const Mesh mesh = makeCylinder(1.5f, 2.0f, 128);
     expectClosed(mesh);

@@ -11,6 +11,8 @@
 #include <span>
 #include <tuple>
 
+#include "mesh/self_contact.hpp"
+
 namespace vitrine {
 namespace {
 
@@ -81,15 +83,14 @@ class Groups {
     std::vector<std::vector<Rim>> rims_;
 };
 
-using Corners = std::array<glm::dvec3, 3>;
-
-/// One triangle an edge of each rim, all of which meet in the middle of it. Nothing if rims touch.
-std::optional<std::vector<Corners>> closeHoles(const std::vector<Rim>& rims,
-                                               const std::vector<glm::vec3>& points) {
+/// One triangle an edge of each rim, all of which meet in the middle of it, a new point. Nothing if
+/// rims touch.
+std::optional<std::vector<glm::uvec3>> closeHoles(const std::vector<Rim>& rims,
+                                                  std::vector<glm::vec3>& points) {
     std::map<uint32_t, uint32_t> next;
     for (const Rim& rim : rims)
         if (!next.emplace(rim.from, rim.to).second) return std::nullopt;
-    std::vector<Corners> closed;
+    std::vector<glm::uvec3> closed;
     while (!next.empty()) {
         std::vector<uint32_t> loop;
         for (auto at = next.begin(); at != next.end(); at = next.find(loop.back())) {
@@ -100,21 +101,32 @@ std::optional<std::vector<Corners>> closeHoles(const std::vector<Rim>& rims,
         if (loop.front() != loop.back()) return std::nullopt;
         glm::dvec3 middle(0);
         for (size_t i = 1; i < loop.size(); ++i) middle += glm::dvec3(points[loop[i]]);
-        middle /= static_cast<double>(loop.size() - 1);
-        for (size_t i = 1; i < loop.size(); ++i)
-            closed.push_back(
-                {glm::dvec3(points[loop[i]]), glm::dvec3(points[loop[i - 1]]), middle});
+        const auto number = static_cast<uint32_t>(points.size());
+        points.emplace_back(middle / static_cast<double>(loop.size() - 1));
+        for (size_t i = 1; i < loop.size(); ++i) closed.emplace_back(loop[i], loop[i - 1], number);
     }
     return closed;
 }
 
+/// A closed surface whose triangles face either outwards or inwards, all of them.
+struct Surface {
+    std::vector<glm::uvec3> triangles;
+    std::span<const glm::vec3> points;
+
+    [[nodiscard]] std::array<glm::dvec3, 3> cornersFrom(const glm::uvec3& t,
+                                                        const glm::dvec3& point) const {
+        return {glm::dvec3(points[t.x]) - point, glm::dvec3(points[t.y]) - point,
+                glm::dvec3(points[t.z]) - point};
+    }
+};
+
 /// Do all face away from the point, with a margin for rounding, and surround it once? Then rays
 /// from it meet one triangle each, so none lies before another. The solid angle is that of Van
 /// Oosterom & Strackee (1983).
-bool surroundsOnce(const std::vector<Corners>& triangles, const glm::dvec3& point) {
+bool surroundsOnce(const Surface& surface, const glm::dvec3& point) {
     double angle = 0;
-    for (const Corners& t : triangles) {
-        const glm::dvec3 a = t[0] - point, b = t[1] - point, c = t[2] - point;
+    for (const glm::uvec3& t : surface.triangles) {
+        const auto [a, b, c] = surface.cornersFrom(t, point);
         const double volume = glm::dot(a, glm::cross(b, c));
         const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
         if (volume <= 1e-9 * la * lb * lc) return false;
@@ -122,6 +134,20 @@ bool surroundsOnce(const std::vector<Corners>& triangles, const glm::dvec3& poin
                                             glm::dot(c, a) * lb);
     }
     return std::abs(angle - 4 * std::numbers::pi) < 0.01;
+}
+
+/// A connected closed surface that does not meet itself parts space in two, inside and outside, and
+/// each of its triangles parts one from the other: either all fronts look outwards, or all backs
+/// do. Corners at which it touches itself change nothing in that. Which it is, the volume tells.
+bool partsInsideFromOutside(const Surface& surface, const Aabb& box) {
+    const glm::dvec3 middle(box.centre());
+    double volume = 0;
+    for (const glm::uvec3& t : surface.triangles) {
+        const auto [a, b, c] = surface.cornersFrom(t, middle);
+        volume += glm::dot(a, glm::cross(b, c)) / 6;
+    }
+    const double size = glm::length(glm::dvec3(box.extent()));
+    return volume > 1e-9 * size * size * size && !meetsItself(surface.triangles, surface.points);
 }
 
 /// Numbers of vertices with those at equal positions made one.
@@ -161,31 +187,34 @@ Shells findShells(const Mesh& mesh) {
 
     Shells result;
     std::vector<uint32_t> rest;
+    std::vector<glm::vec3> points = mesh.positions;
     for (const auto& [root, list] : members) {
         const auto caps =
-            groups.broken(root) ? std::nullopt : closeHoles(groups.rims(root), mesh.positions);
-        std::vector<Corners> solid;
+            groups.broken(root) ? std::nullopt : closeHoles(groups.rims(root), points);
+        Surface surface{{}, points};
         Shell shell{
             static_cast<uint32_t>(result.order.size()), static_cast<uint32_t>(list.size()), {}, {}};
         glm::dvec3 mean(0);
         for (const uint32_t t : list) {
-            Corners& corners = solid.emplace_back();
+            surface.triangles.push_back(triangles[t]);
             for (int i = 0; i < 3; ++i) {
-                const glm::vec3& p = mesh.positions[triangles[t][i]];
+                const glm::vec3& p = points[triangles[t][i]];
                 shell.box.grow(p);
-                corners[i] = p;
-                mean += corners[i] / (3.0 * static_cast<double>(list.size()));
+                mean += glm::dvec3(p) / (3.0 * static_cast<double>(list.size()));
             }
         }
-        if (caps) solid.insert(solid.end(), caps->begin(), caps->end());
-        const glm::dvec3 middle = 0.5 * (glm::dvec3(shell.box.min) + glm::dvec3(shell.box.max));
-        if (!caps || !(surroundsOnce(solid, middle) || surroundsOnce(solid, mean))) {
+        if (caps) surface.triangles.insert(surface.triangles.end(), caps->begin(), caps->end());
+        if (!caps ||
+            !(surroundsOnce(surface, glm::dvec3(shell.box.centre())) ||
+              surroundsOnce(surface, mean) || partsInsideFromOutside(surface, shell.box))) {
             rest.insert(rest.end(), list.begin(), list.end());
             continue;
         }
-        for (const Corners& t : *caps) {
-            const glm::dvec3 n = glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]));
-            shell.holes.emplace_back(n, glm::dot(n, t[0]));
+        for (const glm::uvec3& t : *caps) {
+            const glm::dvec3 from(points[t.x]);
+            const auto [a, b, c] = surface.cornersFrom(t, from);
+            const glm::dvec3 n = glm::normalize(glm::cross(b, c));
+            shell.holes.emplace_back(n, glm::dot(n, from));
         }
         result.order.insert(result.order.end(), list.begin(), list.end());
         result.shells.push_back(std::move(shell));

@@ -9,10 +9,12 @@
 
 namespace vitrine {
 
-/// A solid: triangles joined by edges, each of which has two triangles, that all face away from one
-/// point inside and surround it once. A ray from outside meets its front first. Holes are
-/// closed by triangles that are not there; from in front of one of these, backs are seen through
-/// it.
+/// A solid: triangles joined by edges, each of which has two triangles that run along it in
+/// opposite directions, fronts outside. Either all face away from one point inside and surround it
+/// once, or the surface does not meet itself (mesh/self_contact.hpp). A ray from outside meets its
+/// front first: a back before it would be the way out of what the ray has not yet entered. Holes
+/// are closed by triangles that are not there; from in front of one of these, backs are seen
+/// through it.
 struct Shell {
     uint32_t first = 0, count = 0;  ///< in Shells::order
     Aabb box;
@@ -28,7 +30,8 @@ struct Shells {
     std::vector<Shell> shells;
 };
 
-/// Takes time N log N. Vertices count as one where their positions are equal.
+/// Takes time N log N, about a second for a million triangles. Vertices count as one where their
+/// positions are equal.
 Shells findShells(const Mesh& mesh);
 
 }  // namespace vitrine

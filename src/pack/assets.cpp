@@ -48,7 +48,8 @@ class AssetReader {
         } else if (shape.plane) {
             mesh = makePlane(shape.plane->size.x * 0.5f, shape.plane->size.z * 0.5f);
         } else if (shape.torus) {
-            mesh = makeTorus(shape.torus->radius, shape.torus->tube);
+            const TorusShape& t = *shape.torus;
+            mesh = makeTorus(t.radius, t.tube, t.segments, t.sides, t.arc);
         } else if (shape.cylinder) {
             mesh = makeCylinder(shape.cylinder->radius, shape.cylinder->height * 0.5f);
         }

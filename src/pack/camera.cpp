@@ -32,7 +32,6 @@ void packCamera(const Camera& camera, int width, int height, FrameBlock& block) 
 }
 
 glm::mat4 packProjection(const FrameBlock& block) {
-    constexpr float kNear = 1e-3f;
     const glm::vec3 eye(block.cameraEye), forward(block.cameraForward);
     // Rows that give the coordinates on the image plane, from -1 to 1 over the picture.
     const glm::vec3 right(block.cameraRight), up(block.cameraUp);
@@ -41,9 +40,9 @@ glm::mat4 packProjection(const FrameBlock& block) {
         2.0f * glm::vec2(block.jitter) / glm::vec2(block.image.x, block.image.y);
     const glm::vec3 rowX = x - shift.x * forward;
     const glm::vec3 rowY = y - shift.y * forward;
-    return glm::transpose(
-        glm::mat4(glm::vec4(rowX, -glm::dot(rowX, eye)), glm::vec4(rowY, -glm::dot(rowY, eye)),
-                  glm::vec4(0, 0, 0, kNear), glm::vec4(forward, -glm::dot(forward, eye))));
+    return glm::transpose(glm::mat4(
+        glm::vec4(rowX, -glm::dot(rowX, eye)), glm::vec4(rowY, -glm::dot(rowY, eye)),
+        glm::vec4(0, 0, 0, VITRINE_NEAR_PLANE), glm::vec4(forward, -glm::dot(forward, eye))));
 }
 
 glm::vec2 sampleOffset(int index, int count) {

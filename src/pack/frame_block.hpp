@@ -12,6 +12,6 @@ struct FrameBlock {
     using ivec4 = glm::ivec4;
 #include "shared/frame_fields.glsl"
 };
-static_assert(sizeof(FrameBlock) == 16 * 19, "std140: every field is 16 bytes, without padding");
+static_assert(sizeof(FrameBlock) == 16 * 20, "std140: every field is 16 bytes, without padding");
 
 }  // namespace vitrine

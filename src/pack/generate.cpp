@@ -37,6 +37,13 @@ std::string globalName(const std::string& prefix, int index) {
     return fmt::format("{}value{}", prefix, index);
 }
 
+/// A program for one of the fields alone defines its number (frame/programs.hpp).
+constexpr const char* kAllFields = "#ifndef ONLY_FIELD\n#define ONLY_FIELD -1\n#endif\n";
+
+std::string unlessLeftOut(size_t field, const std::string& text) {
+    return fmt::format("#if ONLY_FIELD < 0 || ONLY_FIELD == {}\n{}#endif\n", field, text);
+}
+
 /// Globals that hold the parameters while a snippet runs, and the function that fills them. They
 /// are read once an instance, not once a call: reading is dear inside a marching loop.
 std::string bindFunction(const Snippet& snippet, const std::string& values,
@@ -78,16 +85,16 @@ std::string emit(const std::shared_ptr<const Snippet>& snippet, const std::strin
 GeneratedShaders generateShaders(const std::vector<std::shared_ptr<const Snippet>>& fields,
                                  const std::vector<std::shared_ptr<const Snippet>>& materials) {
     GeneratedShaders out;
-    std::string text = preamble(fields);
+    std::string text = kAllFields + preamble(fields);
     std::string bind, call;
     for (size_t i = 0; i < fields.size(); ++i) {
         const std::string tag = fmt::format("f{}", i);
-        text += emit(fields[i], tag, out);
+        text += unlessLeftOut(i, emit(fields[i], tag, out));
         const std::string entry = emittedName(tag + "_", fields[i]->entry);
         const std::string value =
             fields[i]->entryReturnsPart ? entry + "(p)" : fmt::format("vec2({}(p), 0.0)", entry);
-        bind += fmt::format("    if (shape == {}) {}bind(base);\n", i, tag);
-        call += fmt::format("    if (shape == {}) return {};\n", i, value);
+        bind += unlessLeftOut(i, fmt::format("    if (shape == {}) {}bind(base);\n", i, tag));
+        call += unlessLeftOut(i, fmt::format("    if (shape == {}) return {};\n", i, value));
     }
     text += "void bindField(int shape, int base) {\n    snippetTime = frame.shading.x;\n" + bind +
             "}\n";

@@ -79,6 +79,7 @@ class Packer {
             out_.hasLayers |= mentions(*snippet, {"clearcoat", "sheenColor"});
             out_.hasTransmission |= mentions(*snippet, {"transmission"});
             out_.hasSubsurface |= mentions(*snippet, {"subsurface"});
+            out_.hasCurvature |= mentions(*snippet, {"curvature"});
         }
         addMaterial(Material{}, 0, 0, {});  // for nodes that name none
         out_.materialNames.back() = "(default)";
@@ -95,7 +96,10 @@ class Packer {
                      const PackedTextures::Slots& slots) {
         out_.materialNames.push_back(m.name);
         out_.hasLayers |= m.clearcoat > 0 || m.sheenColor.rgb != glm::vec3(0);
-        out_.hasTransmission |= m.transmission > 0;
+        const bool classic = m.model != SurfaceModel::kPbr;
+        const float transmission = classic ? 0 : m.transmission;
+        out_.hasClassic |= classic;
+        out_.hasTransmission |= transmission > 0;
         materials_.emplace_back(m.baseColor.rgb, m.metallic);
         materials_.emplace_back(m.emission.rgb * m.emissionStrength, m.roughness);
         materials_.push_back(texel(snippet, parameters, flagsOf(m)));
@@ -104,12 +108,25 @@ class Packer {
         materials_.back().z = m.opacity;
         materials_.back().w = m.alphaCutoff;
         materials_.emplace_back(m.specularColor.rgb, m.ior);
-        materials_.emplace_back(absorptionOf(m), m.transmission);
+        materials_.emplace_back(absorptionOf(m), transmission);
         materials_.emplace_back(m.clearcoat, m.clearcoatRoughness, 0.0f, 0.0f);
         materials_.emplace_back(m.sheenColor.rgb, m.sheenRoughness);
-        const float subsurface = std::max(m.subsurface, scene_.render.sssAll);
+        const float subsurface = classic ? 0 : std::max(m.subsurface, scene_.render.sssAll);
         out_.hasSubsurface |= subsurface > 0;
         materials_.emplace_back(subsurface * m.subsurfaceColor.rgb, m.subsurfaceRadius);
+        const bool highlight = m.model == SurfaceModel::kBlinnPhong;
+        materials_.emplace_back(highlight ? m.highlightColor.rgb : glm::vec3(0), m.shininess);
+    }
+
+    /// What the materials of a node's parts are listed by: number, length of the list, and over
+    /// what radius curvature is taken (0: nobody asks).
+    [[nodiscard]] glm::vec4 listed(int material, size_t parts) const {
+        glm::vec4 entry = texel(material, static_cast<int>(parts));
+        const auto i = static_cast<size_t>(material);
+        if (i < scene_.materials.size() && assets_.materials[i] != nullptr &&
+            mentions(*assets_.materials[i], {"curvature"}))
+            entry.z = scene_.materials[i].curvatureRadius;
+        return entry;
     }
 
     static int flagsOf(const Material& m) {
@@ -117,6 +134,7 @@ class Packer {
         if (!m.doubleSided) flags |= VITRINE_MATERIAL_SINGLE_SIDED;
         if (m.unlit) flags |= VITRINE_MATERIAL_UNLIT;
         if (m.thin) flags |= VITRINE_MATERIAL_THIN;
+        if (m.model != SurfaceModel::kPbr) flags |= VITRINE_MATERIAL_CLASSIC;
         return flags;
     }
 
@@ -183,7 +201,7 @@ class Packer {
         }
         const auto first = static_cast<int>(materialLists_.size());
         for (const int material : chosen)
-            materialLists_.push_back(texel(std::max(material, 0), static_cast<int>(chosen.size())));
+            materialLists_.push_back(listed(std::max(material, 0), chosen.size()));
         return first;
     }
 
@@ -319,7 +337,8 @@ class Packer {
         out_.instances.push_back({node.name, worldFromObject, worldBox, field != nullptr,
                                   firstTriangle, mesh != nullptr ? mesh->mesh->triangles.size() : 0,
                                   box, mesh, (flags & VITRINE_INSTANCE_CULLED) != 0,
-                                  (flags & VITRINE_INSTANCE_FILTERED) != 0});
+                                  (flags & VITRINE_INSTANCE_FILTERED) != 0,
+                                  field != nullptr ? static_cast<int>(indices.y) : 0});
     }
 
     /// Joins the tables; material lists get addresses of the whole.
@@ -369,6 +388,10 @@ class Packer {
         b.sampling.w = r.seed;
         b.counts.y = r.marchSteps;
         b.counts.w = VITRINE_LOOP_BUDGET;
+        const bool fields = out_.fieldRoot >= 0;
+        b.quick.x = r.shadows == ShadowMethod::kPenumbra && b.probes.x > 0;
+        b.quick.y = r.aoMode == OcclusionMethod::kTaps && r.ao > 0 && fields;
+        out_.hasCones = b.quick.x != 0 || b.quick.y != 0;
     }
 
     const Scene& scene_;

@@ -24,6 +24,7 @@ struct PackedInstance {
     std::shared_ptr<const MeshAsset> mesh;  ///< null: a field
     bool culled = false;                    ///< not seen from behind
     bool filtered = false;                  ///< rays pass parts of it: holes, veils, glass
+    int snippet = 0;                        ///< of a field, in PackedScene::fieldSnippets
 };
 
 /// What changes with time, and what a hand on a slider changes: all that is cheap to make again.
@@ -36,8 +37,11 @@ struct PackedMoment {
     bool hasLayers = false;        ///< materials with varnish or sheen
     bool hasTransmission = false;  ///< materials that light passes
     bool hasSubsurface = false;    ///< materials that light comes through, scattered
+    bool hasClassic = false;       ///< materials that are lambert or blinn-phong
+    bool hasCurvature = false;     ///< snippets that ask for it
     bool hasFilters = false;       ///< instances that let rays pass: holes, veils, glass
     bool hasCulling = false;       ///< meshes that are not seen from behind
+    bool hasCones = false;         ///< shadow rays mind what they pass (shaders/trace/cone.glsl)
 
     std::vector<PackedInstance> instances;
     std::vector<std::string> materialNames;

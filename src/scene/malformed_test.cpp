@@ -15,6 +15,8 @@ struct Case {
     const char* what;
     std::string scene;
     std::string messages;
+    /// Otherwise the name of a test would hold the bytes of pointers.
+    friend void PrintTo(const Case& c, std::ostream* out) { *out << c.what; }
 };
 
 class Malformed : public testing::TestWithParam<Case> {};

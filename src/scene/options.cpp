@@ -51,10 +51,15 @@ const OptionTable<RenderSettings>& renderOptions() {
         {"tone_map", choice<R>({"none", "filmic", "aces", "agx", "reinhard"}, &R::toneMap), kNone,
          "curve from scene light to display light"},
         {"threshold", &R::threshold, kUnit, "a path ends when less than this of its light is left"},
-        {"ao", &R::ao, {0, 5}, "ambient occlusion by rays: 0 off, 1 natural, up to 5 dramatic"},
+        {"shadows", choice<R>({"sampled", "penumbra"}, &R::shadows), kNone,
+         "of lights with a size: sampled: all of it, exact, wants `--spp`; penumbra: one ray each, "
+         "soft behind fields and hard behind meshes"},
+        {"ao", &R::ao, {0, 5}, "ambient occlusion: 0 off, 1 natural, up to 5 dramatic"},
+        {"ao_mode", choice<R>({"rays", "taps"}, &R::aoMode), kNone,
+         "taps: on fields five looks along the normal, which see fields alone; meshes keep rays"},
         {"ao_distance", &R::aoDistance, kPositive, "reach of ambient occlusion, m"},
         {"sss_all", &R::sssAll, kUnit, "every material has at least this much subsurface"},
-        {"march_steps", &R::marchSteps, {8, 2048}, "most steps of one ray through one field"},
+        {"march_steps", &R::marchSteps, {8, 4096}, "most steps of one ray through one field"},
         {"seed", &R::seed, {0, 2147483647}, "start of the random numbers (`--seed` wins)"},
     };
     return table;
@@ -104,6 +109,9 @@ const OptionTable<Camera>& cameraOptions() {
          &C::apertureBlades,
          {0, 16},
          "corners of blurred points of light; 0 (or below 3): round"},
+        {"lens", choice<C>({"sampled", "filter"}, &C::lens), kNone,
+         "who blurs with f_stop: sampled: rays through all of the lens, wants `--spp`; filter: one "
+         "sharp sample, blurred by its depth"},
     };
     return table;
 }
@@ -224,8 +232,16 @@ const OptionTable<Material>& materialOptions() {
         {"subsurface_color", &M::subsurfaceColor, kUnit, "of that light, times base_color"},
         {"subsurface_radius", &M::subsurfaceRadius, kPositive,
          "m of the substance that leave 1/e (37 %) of it"},
+        {"model", choice<M>({"pbr", "lambert", "blinn-phong"}, &M::model), kNone,
+         "pbr: all of the above; lambert, blinn-phong: base_color and lights alone, as in "
+         "textbooks"},
+        {"highlight_color", &M::highlightColor, kUnit,
+         "blinn-phong: share of light in the highlight, the specular colour of textbooks"},
+        {"shininess", &M::shininess, {1, 1e5}, "blinn-phong: exponent of the highlight"},
         {"snippet", FileMember<M>{&M::snippet}, kNone,
          "NAME.mat.glsl with `void material(inout Surface s)`"},
+        {"curvature_radius", &M::curvatureRadius, kPositive,
+         "m: on fields, what `s.curvature` in a snippet is taken over"},
     };
     return table;
 }
@@ -259,7 +275,10 @@ const OptionTable<PlaneShape>& planeOptions() {
 const OptionTable<TorusShape>& torusOptions() {
     static const OptionTable<TorusShape> table{
         {"radius", &TorusShape::radius, kPositive, "from the centre to the middle of the tube, m"},
-        {"tube", &TorusShape::tube, kPositive, "radius of the tube, m"}};
+        {"tube", &TorusShape::tube, kPositive, "radius of the tube, m"},
+        {"segments", &TorusShape::segments, {3, 2048}, "quads around the ring"},
+        {"sides", &TorusShape::sides, {3, 1024}, "quads around the tube"},
+        {"arc", &TorusShape::arc, {1, 360}, "part of the ring from +x towards -z, degrees"}};
     return table;
 }
 

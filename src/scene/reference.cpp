@@ -169,7 +169,9 @@ std::string sceneFormatReference() {
            "tank little, so\na scene that is not built to its true size wants another f_stop. "
            "With `fov` the focal length is the\none that sees as much. A lens needs `--spp` "
            "(one sample looks through its middle), and its first hits\nare always traced. EXR "
-           "layers stay sharp.\n";
+           "layers stay sharp. `lens = \"filter\"` blurs one sample as widely, in circles of up\n"
+           "to 256 pixels: smooth at once and for motion, but mirror images are as sharp as their "
+           "mirror, and\nwhat an object hides is guessed. With it `--spp` only smooths edges.\n";
     section(out, "[environment]", environmentOptions());
     out << "\n`sky = COLOUR` is short for the same zenith, horizon and ground. `sky = "
            "\"FILE.hdr\"` or "

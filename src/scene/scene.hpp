@@ -39,6 +39,12 @@ struct ParameterValue {
     SourceLocation where;
 };
 
+/// How a light with a size throws shadows: by many rays to all of it, or by one to its middle that
+/// minds how near it passes fields.
+enum class ShadowMethod { kSampled, kPenumbra };
+/// How ambient light is occluded on fields: by rays, or by asking fields at a few points.
+enum class OcclusionMethod { kRays, kTaps };
+
 enum class ToneMap { kNone, kFilmic, kAces, kAgx, kReinhard };
 
 struct RenderSettings {
@@ -50,10 +56,12 @@ struct RenderSettings {
     float gamma = 1;
     ToneMap toneMap = ToneMap::kFilmic;
     float threshold = 0.02f;
+    ShadowMethod shadows = ShadowMethod::kSampled;
     float ao = 1;
+    OcclusionMethod aoMode = OcclusionMethod::kRays;
     float aoDistance = 2;
     float sssAll = 0;  ///< least subsurface of every material
-    int marchSteps = 256;
+    int marchSteps = 1024;
     int seed = 0;
 };
 
@@ -69,6 +77,10 @@ struct TreeSettings {
     float minOverlap = 1e-5f;    ///< spatial: as a part of the root's area
 };
 
+/// Who blurs what a lens does not show sharp: samples through all of it, or a filter over a sharp
+/// picture and its depth.
+enum class LensBlur { kSampled, kFilter };
+
 struct Camera {
     std::string name;
     glm::vec3 eye{3, 2, 4};
@@ -79,6 +91,7 @@ struct Camera {
     float fStop = 0;          ///< focal length over the lens's diameter; 0: a pinhole
     float focusDistance = 0;  ///< along the view axis, m; 0: to the target
     int apertureBlades = 0;   ///< corners of the lens's opening; 0: round
+    LensBlur lens = LensBlur::kSampled;
     /// In Scene::nodes: it goes with this node and looks along its -z, and eye, target and up are
     /// where the node puts them at rest. Of a model.
     std::optional<size_t> node;
@@ -154,6 +167,9 @@ enum class AlphaMode { kOpaque, kMask, kBlend };
 /// One channel of a picture, as it is or reversed (a glossiness is a reversed roughness).
 enum class Channel { kRed, kGreen, kBlue, kAlpha, kNotRed, kNotGreen, kNotBlue, kNotAlpha };
 
+/// How light is answered: by all the layers below, or as in the textbooks.
+enum class SurfaceModel { kPbr, kLambert, kBlinnPhong };
+
 /// glTF 2.0 metallic-roughness with the KHR_materials extensions of the same names.
 struct Material {
     std::string name;
@@ -199,7 +215,12 @@ struct Material {
     Color subsurfaceColor{{1, 1, 1}};  ///< of that light, times baseColor
     float subsurfaceRadius = 0.1f;     ///< m of substance that leave 1/e of it
 
-    Reference snippet;  ///< a .mat.glsl file
+    SurfaceModel model = SurfaceModel::kPbr;
+    Color highlightColor{{0.2f, 0.2f, 0.2f}};  ///< kBlinnPhong: what its highlight sends back
+    float shininess = 40;                      ///< kBlinnPhong: its exponent
+
+    Reference snippet;              ///< a .mat.glsl file
+    float curvatureRadius = 0.02f;  ///< m: what a field's curvature is taken over for the snippet
     std::vector<ParameterValue> set;
     SourceLocation where;
 };
@@ -216,6 +237,9 @@ struct PlaneShape {
 struct TorusShape {
     float radius = 0.5f;
     float tube = 0.2f;
+    int segments = 96;
+    int sides = 48;
+    float arc = 360;  ///< degrees
 };
 struct CylinderShape {
     float radius = 0.5f;

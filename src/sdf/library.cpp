@@ -10,7 +10,7 @@ namespace vitrine {
 namespace {
 
 // Names that people bring along, and where the same thing is found here.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 40> kElsewhere = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 47> kElsewhere = {{
     {"smin", "opSmoothUnion"},
     {"smax", "opSmoothIntersection"},
     {"sminCubic", "opSmoothUnionCubic"},
@@ -51,6 +51,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 40> kElsewhe
     {"fOpTongue", "opTongue"},
     {"sdRoundBox", "sdRoundedBox"},
     {"fbm", "noiseFbm"},
+    {"checker", "patChecker"},
+    {"checkers", "patChecker"},
+    {"checkersGradBox", "patChecker"},
+    {"bricks", "patBricks"},
+    {"stripes", "patStripes"},
+    {"voronoi", "patCells"},
+    {"triplanar", "uvTriplanar"},
 }};
 
 std::string textOf(const LibraryFunction& function, const std::string& loopGuard) {
@@ -69,8 +76,10 @@ std::string textOf(const LibraryFunction& function, const std::string& loopGuard
 
 }  // namespace
 
-Library::Library(const std::vector<EmbeddedFile>& files) {
-    for (const EmbeddedFile& file : files) read(file);
+Library::Library(const std::vector<EmbeddedFile>& fields,
+                 const std::vector<EmbeddedFile>& materials) {
+    for (const EmbeddedFile& file : fields) read("lib/sdf/", file);
+    for (const EmbeddedFile& file : materials) read("lib/material/", file);
 }
 
 const LibraryFunction* Library::find(std::string_view name) const {
@@ -104,7 +113,7 @@ std::string Library::emit(const std::set<std::string>& names, const std::string&
 }
 
 const Library& sdfLibrary() {
-    static const Library library(libraryFiles());
+    static const Library library(libraryFiles(), materialLibraryFiles());
     return library;
 }
 

@@ -23,6 +23,19 @@ struct Example {
     std::function<Bounds(const glm::dvec3&)> bounds;
 };
 
+/// What a pattern of a function's comment may ask: place, normal and widths of the pixel in the
+/// object's space, curvature (1/m) and the radius it is taken over (m).
+struct PatternPlace {
+    glm::dvec3 p, n, w;
+    double k = 0, r = 0;
+};
+
+/// A pattern of a function's comment.
+struct Pattern {
+    std::string function, text;
+    std::function<glm::dvec3(const PatternPlace&)> color;
+};
+
 namespace library {
 
 // What GLSL has built in, for the generated text.

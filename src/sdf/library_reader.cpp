@@ -41,6 +41,10 @@ void readCommentLine(std::string_view line, LibraryFunction& function, bool& inS
         function.bounds = *box;
     } else if (const auto example = claim(line, "example")) {
         function.examples.push_back(*example);
+    } else if (const auto pattern = claim(line, "pattern")) {
+        function.patterns.push_back(*pattern);
+    } else if (const auto shape = claim(line, "shape")) {
+        function.shape = *shape;
     } else {
         if (startsWith(line, "Source: ")) {
             inSource = true;
@@ -77,9 +81,9 @@ std::string signatureOf(const std::vector<SnippetPiece>& pieces) {
 
 }  // namespace
 
-void Library::read(const EmbeddedFile& file) {
+void Library::read(const std::string& folder, const EmbeddedFile& file) {
     Snippet snippet;
-    snippet.file = "lib/sdf/" + std::string(file.name);
+    snippet.file = folder + std::string(file.name);
     snippet.source = std::string(file.text);
     Diagnostics diagnostics;
     glsl::Problems problems(diagnostics, snippet.file);

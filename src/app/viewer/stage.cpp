@@ -15,7 +15,8 @@ constexpr int64_t kMostPixels = 16 << 20;
 bool same(const Camera& a, const Camera& b) {
     return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov == b.fov &&
            a.focalLength == b.focalLength && a.fStop == b.fStop &&
-           a.focusDistance == b.focusDistance && a.apertureBlades == b.apertureBlades;
+           a.focusDistance == b.focusDistance && a.apertureBlades == b.apertureBlades &&
+           a.lens == b.lens;
 }
 
 bool same(const Stage::Wish& a, const Stage::Wish& b) {

@@ -58,8 +58,10 @@ Solid makeRoadWheel() {
                        0.022, Material::kRubber));
     wheel.append(lathe({{-kOuter, kFoot}, {-kOuter, kR}, {-kInner, kR}, {-kInner, kFoot}},
                        kInnerSides, 0.0, Material::kRubber));
-    // The outer disc, from the rim to the hub's cap; the inner one; and the hub between them.
-    wheel.append(lathe({{kOuter - 0.004, kRim + 0.003},
+    // The outer disc, from the rim to the hub's cap; the inner one; and the hub between them. The
+    // disc reaches under the tyre as deep as its face lies back: nothing of that shows, but with a
+    // flat lid there it would be a solid, so it hides its backs from all eyes before it.
+    wheel.append(lathe({{0.114, kRim + 0.003},
                         {0.214, kRim},
                         {0.214, 0.310},
                         {0.132, 0.264},
