@@ -81,7 +81,30 @@ class ShaderDialects : public testing::Test {
     void TearDown() override {
         if (!folder.empty()) fs::remove_all(folder);
     }
+    /// How often the text of a pass's fragment shader holds this, white space aside, when it has
+    /// been preprocessed.
+    int occurrences(const std::string& pass, const ProgramFeatures& features,
+                    const std::string& mark) {
+        if (generated_.includes.empty()) generated_ = snippetsOfTheLessons();
+        const ShaderKey key = shaderKey(pass, features, ShaderStage::kFragment, Dialect::kGl450);
+        const fs::path file = folder / "shader.frag", out = folder / "preprocessed";
+        writeFileAtomically(file, assembleShader(key, generated_.includes).text);
+        EXPECT_EQ(
+            std::system(fmt::format("glslangValidator -E '{}' > '{}'", file.string(), out.string())
+                            .c_str()),
+            0);
+        std::string text = readFile(out, 1 << 22);
+        std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
+        int n = 0;
+        for (size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
+            ++n;
+        return n;
+    }
+
     fs::path folder;
+
+  private:
+    GeneratedShaders generated_;
 };
 
 }  // namespace
@@ -118,43 +141,30 @@ TEST_F(ShaderDialects, AllVariantsAreAccepted) {
 }
 
 TEST_F(ShaderDialects, WhoHasNeitherTextbookMaterialsNorCurvatureHasNoTextOfThem) {
-    const GeneratedShaders generated = snippetsOfTheLessons();
-    const auto preprocessed = [&](const std::string& pass, const ProgramFeatures& features) {
-        const ShaderKey key = shaderKey(pass, features, ShaderStage::kFragment, Dialect::kGl450);
-        const fs::path file = folder / "shader.frag";
-        writeFileAtomically(file, assembleShader(key, generated.includes).text);
-        const fs::path out = folder / "preprocessed";
-        EXPECT_EQ(
-            std::system(fmt::format("glslangValidator -E '{}' > '{}'", file.string(), out.string())
-                            .c_str()),
-            0);
-        return readFile(out, 1 << 22);
-    };
     ProgramFeatures plain, both;
     both.classic = both.curvature = true;
-    const std::pair<const char*, const char*> marks[] = {{"visibility", "kBending"},
-                                                         {"bounce", "kBending"},
-                                                         {"light", "triangleCurvature ("},
-                                                         {"light", "s . shininess )"}};
-    for (const auto& [pass, mark] : marks) {
-        std::string without = preprocessed(pass, plain), with = preprocessed(pass, both);
-        // White space is as the text has it, so that all of it goes before the comparison.
-        const auto dense = [](std::string text) {
-            std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
-            return text;
-        };
-        const std::string wanted = dense(mark);
-        const auto count = [&](const std::string& text) {
-            int n = 0;
-            for (size_t at = text.find(wanted); at != std::string::npos;
-                 at = text.find(wanted, at + 1))
-                ++n;
-            return n;
-        };
-        // A function that nobody calls costs nothing; a call does.
-        EXPECT_GT(count(dense(with)), count(dense(without))) << pass << ": " << mark;
-        EXPECT_LE(count(dense(without)), mark == std::string("triangleCurvature (") ? 1 : 0)
-            << pass << ": " << mark;
+    EXPECT_EQ(occurrences("visibility", plain, "kBending"), 0);
+    EXPECT_GT(occurrences("visibility", both, "kBending"), 0);
+    EXPECT_EQ(occurrences("bounce", plain, "kBending"), 0);
+    EXPECT_GT(occurrences("bounce", both, "kBending"), 0);
+    EXPECT_EQ(occurrences("light", plain, "s.shininess)"), 0);
+    EXPECT_GT(occurrences("light", both, "s.shininess)"), 0);
+    // A function that nobody calls costs nothing; a call does.
+    EXPECT_EQ(occurrences("light", plain, "triangleCurvature("), 1);
+    EXPECT_EQ(occurrences("light", both, "triangleCurvature("), 2);
+}
+
+// So that fields cost a scene of meshes nothing, and meshes a scene of fields.
+TEST_F(ShaderDialects, WhoHasNoFieldsHasNoTextOfThemAndWhoHasNoMeshesCallsNone) {
+    ProgramFeatures both, meshes, fields;
+    fields.meshes = meshes.fields = false;
+    for (const char* pass : {"visibility", "bounce", "light", "query_any"}) {
+        SCOPED_TRACE(pass);
+        EXPECT_EQ(occurrences(pass, meshes, "evaluateField("), 0);
+        EXPECT_GT(occurrences(pass, both, "evaluateField("), 1);
+        EXPECT_EQ(occurrences(pass, meshes, "marchField("), 0);
+        EXPECT_EQ(occurrences(pass, fields, "intersectTriangle("), 1);
+        EXPECT_EQ(occurrences(pass, both, "intersectTriangle("), 2);
     }
 }
 

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Draws the pictures of README.md and docs/ anew. Needs ImageMagick for the sheets.
-#   tools/make_pictures.sh [NAME...]    lesson views tank case; all of them without a name
+#   tools/make_pictures.sh [NAME...]    lesson views tank case robot; all of them without a name
 # VITRINE names another program than ./vitrine.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-wanted=" ${*:-lesson views tank case} "
+wanted=" ${*:-lesson views tank case robot} "
 
 # sheet FILE COLUMNS: all pictures of $work, each with its name, without its number, under it.
 sheet() {
@@ -45,4 +45,37 @@ if [[ $wanted == *" tank "* ]]; then
 fi
 if [[ $wanted == *" case "* ]]; then
     ${VITRINE:-./vitrine} render scenes/vitrine-case.toml -o docs/vitrine-case.png -r 960x600 --spp 64
+fi
+if [[ $wanted == *" robot "* ]]; then
+    ${VITRINE:-./vitrine} render scenes/robot.toml -o docs/robot.png -r 960x540 --spp 32
+    # Both ends of each parameter; they must differ by more than 0.3 % on average.
+    n=10
+    while read -r key low high; do
+        pair=()
+        for value in "$low" "$high"; do
+            pair+=("$work/$n ${key#material.}=${value//[\[\]]/}.png")  # ImageMagick reads [...] as a part
+            ${VITRINE:-./vitrine} render scenes/robot.toml -o "${pair[-1]}" -r 240x180 --spp 16 \
+                --set "$key=$value"
+            n=$((n + 1))
+        done
+        difference=$(compare -metric MAE "${pair[@]}" null: 2>&1 | sed 's/.*(\(.*\))/\1/') || true
+        awk "BEGIN { exit !($difference > 0.003) }" || {
+            echo "make_pictures: $key changes only $difference of the picture" >&2
+            exit 1
+        }
+    done <<'PARAMETERS'
+light.key.polar 0 90
+light.key.azimuth -90 90
+light.key.color [1,0.45,0.15] [0.2,0.5,1]
+camera.focal_length 20 200
+camera.f_stop 1 22
+camera.focus_distance 2.5 20
+render.exposure_percent 25 400
+render.gamma 0.5 2
+render.ao 0 5
+render.sss_all 0 1
+material.shell.base_color [0.9,0.55,0.02] [0.03,0.1,0.7]
+PARAMETERS
+    sheet docs/robot-parameters.png 4
+    mogrify +dither -colors 256 -define png:format=png8 docs/robot-parameters.png
 fi

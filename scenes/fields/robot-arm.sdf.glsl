@@ -6,7 +6,7 @@
 uniform float elbow;  // slider[0.0, 25.0, 140.0] Bend of the elbow, degrees
 uniform float grip;   // slider[0.0, 35.0, 90.0] Curl of the fingers, degrees
 uniform float twist;  // slider[-90.0, 0.0, 90.0] Turn of the forearm, degrees
-uniform float wave;   // slider[0.0, 0.0, 40.0] How far the forearm swings as it waves, degrees
+uniform float wave;   // slider[-40.0, 0.0, 40.0] The forearm waves to the one side and the other, degrees
 
 vec2 turned(vec2 v, float degrees) {
     float a = radians(degrees);
@@ -28,7 +28,7 @@ vec2 sdf(vec3 p) {
 
     // The forearm's frame: bent at the elbow, turned about itself.
     vec3 q = p + vec3(0.0, 0.29, 0.0);
-    q.zy = turned(q.zy, elbow + wave * sin(5.0 * time));
+    q.zy = turned(q.zy, elbow + wave);
     q.xz = turned(q.xz, twist);
     q = vec3(q.x, -q.y, q.z);
     take(nearest, sdRoundCone(q - vec3(0.0, 0.075, 0.0), 0.080, 0.112, 0.16), 0.0);

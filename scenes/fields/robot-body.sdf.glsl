@@ -2,14 +2,14 @@
 // The robot's body. The origin lies between the hips; the head sits on (0, 0.80, 0).
 // bounds[-0.52, -0.20, -0.42,  0.52, 0.90, 0.44]
 // parts[shell, panel, trim, metal, lamp, belly]
-uniform float breath;  // slider[0.0, 1.0, 2.0] How deeply it breathes
+uniform float breath;  // slider[-1.0, 0.0, 1.0] From breathed out to breathed in
 
 void take(inout vec2 nearest, float d, float part) {
     if (d < nearest.x) nearest = vec2(d, part);
 }
 
 vec2 sdf(vec3 p) {
-    float swell = 0.008 * breath * sin(1.9 * time);
+    float swell = 0.008 * breath;
     // Deeper than it is wide would look heavy: the torso is pressed in z.
     const float press = 0.86;
     vec3 q = vec3(p.x, p.y, p.z / press);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The panel on the robot's chest: a beating line, three lamps and a row of keys.
+// The panel on the robot's chest: a beating line, three lamps and a row of keys. All of it begins
+// again after 8 seconds.
 uniform vec3 line;  // color[0.35, 1.0, 0.55] The line
 uniform float glow;  // slider[0.0, 2.5, 10.0] Its brightness
 
@@ -20,7 +21,7 @@ void material(inout Surface s) {
     float x = q.x * 22.0 + 3.0 * time;
     float beat = exp(-abs(mod(x, 4.0) - 2.0) * 7.0) * cos(9.0 * (mod(x, 4.0) - 2.0));
     float height = abs(q.y - 0.036 * beat) - 0.0022;
-    float fade = 0.35 + 0.65 * fract(q.x * 2.6 - 0.45 * time);
+    float fade = 0.35 + 0.65 * fract(q.x * 2.6 - 0.5 * time);
     s.baseColor = mix(s.baseColor, vec3(0.01, 0.018, 0.016), screen);
     s.roughness = mix(s.roughness, 0.08, screen);
     s.emission = screen * line * glow *
@@ -32,7 +33,7 @@ void material(inout Surface s) {
     l.y -= 0.045 * index;
     float lamp = smoothstep(width, -width, length(l) - 0.0145);
     vec3 hue = index < -0.5 ? vec3(0.2, 0.7, 1.0) : index < 0.5 ? vec3(1.0, 0.7, 0.15) : vec3(1.0, 0.2, 0.12);
-    float on = 0.25 + 0.75 * smoothstep(0.5, 0.9, 0.5 + 0.5 * sin(2.1 * time + 2.1 * index));
+    float on = 0.25 + 0.75 * smoothstep(0.5, 0.9, 0.5 + 0.5 * sin(radians(135.0 * time + 120.0 * index)));
     s.emission += lamp * hue * glow * on;
 
     // Keys.

@@ -171,9 +171,10 @@ FieldHit marchField(Instance instance, int number, bool wanted, vec3 origin, vec
             hit = free < tolerance;
 #endif
             if (hit) {
-                result.hit = true;
                 // What is left is free as well: a ray that comes straight ends on the surface.
                 result.t = t + max(free, 0.0) * stepPerDistance;
+                // Or on what stands before it, whichever of both was found first.
+                result.hit = result.t <= tMax;
                 result.part = int(d.y + 0.5);
 #if FIND_CURVATURE
                 centre = d.x;

@@ -153,7 +153,7 @@ const OptionTable<Light>& lightOptions() {
          {0, 180},
          "instead of direction, where the light of a sun or spot comes from: degrees from the "
          "zenith"},
-        {"azimuth", &L::azimuth, kAnyNumber, "with polar: degrees from +z towards +x"},
+        {"azimuth", &L::azimuth, {-360, 360}, "with polar: degrees from +z towards +x"},
         {"color", &L::color, kNotNegative, "colour"},
         {"intensity", &L::intensity, kNotNegative,
          "sun: irradiance, W/m2; others: W/sr (of a rect, straight ahead)"},
