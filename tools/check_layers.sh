@@ -25,7 +25,8 @@ declare -A may=(
     [gpu]="base"
     [frame]="base image scene bvh sdf mesh pack gpu shared"
     [app/session]="base image mesh gltf scene import bvh sdf pack gpu frame"
-    [app/cli]="base image mesh scene bvh sdf pack frame app/session"
+    [app/viewer]="base image mesh scene import bvh sdf pack gpu frame app/session"
+    [app/cli]="base image mesh scene bvh sdf pack frame app/session app/viewer"
 )
 # Folders of shaders/: includes go only leftwards in this list.
 order=(shared lib scene trace shade pass entry)

@@ -49,6 +49,8 @@ fs::path writingTarget(const fs::path& path) {
     return fs::is_symlink(path, error) && fs::exists(status) ? fs::canonical(path) : path;
 }
 
+thread_local ReadRecord* innermostRecord = nullptr;
+
 /// The nearest existing ancestor resolved through links, the rest appended as written.
 fs::path canonicalPrefix(const fs::path& path) {
     std::error_code error;
@@ -58,7 +60,15 @@ fs::path canonicalPrefix(const fs::path& path) {
 
 }  // namespace
 
+ReadRecord::ReadRecord() : outer_(std::exchange(innermostRecord, this)) {}
+
+ReadRecord::~ReadRecord() {
+    innermostRecord = outer_;
+    if (outer_ != nullptr) outer_->files_.merge(files_);
+}
+
 std::string readFile(const fs::path& path, uint64_t maxBytes) {
+    if (innermostRecord != nullptr) innermostRecord->files_.insert(path.lexically_normal());
     const auto fail = [&](const std::string& why) -> InputError {
         return {SourceLocation{path.string()}, why};
     };

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,22 @@ namespace vitrine {
 /// Throws InputError, placed at `path`, if it is missing, not regular, unreadable or over
 /// `maxBytes`.
 std::string readFile(const std::filesystem::path& path, uint64_t maxBytes);
+
+/// Notes the files that readFile() is asked for on this thread while it lives, missing ones as
+/// well: what a scene depends on. Records may be nested; the inner one tells the outer one.
+class ReadRecord {
+  public:
+    ReadRecord();
+    ~ReadRecord();
+    ReadRecord(const ReadRecord&) = delete;
+    ReadRecord& operator=(const ReadRecord&) = delete;
+    [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
+
+  private:
+    friend std::string readFile(const std::filesystem::path& path, uint64_t maxBytes);
+    ReadRecord* outer_;
+    std::set<std::filesystem::path> files_;
+};
 
 /// Where `reference`, written in a file of the folder `root`, points. Throws std::invalid_argument
 /// with a sentence for the user if it is absolute or leads out of `root`, by ".." or by a link.

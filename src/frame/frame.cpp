@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <utility>
 
-#include "frame/first_hits.hpp"
 #include "pack/camera.hpp"
 
 namespace vitrine {
@@ -29,6 +30,7 @@ class SharpLens {
 
 // Of a picture of one sample.
 constexpr int kAmbientProbes = 16, kSkyProbes = 4, kSubstanceProbes = 8;
+constexpr int kQuickProbes = 3;
 
 }  // namespace
 
@@ -55,16 +57,17 @@ void Frame::use(const PackedMoment& moment) {
     quick_ = moment.block.quick;
     fieldRoot_ = moment.fieldRoot;
     // Glass needs another set of paths, which begin() makes with the other images.
-    if (moment.hasTransmission && !transmissive_) picture_ = {};
+    if (moment.hasTransmission && !transmissive_) allocated_ = false;
     transmissive_ = transmissive_ || moment.hasTransmission;
 }
 
 void Frame::begin(const FrameRequest& request) {
     const bool resized = request.layers != request_.layers || request.width != request_.width ||
                          request.height != request_.height || request.ssaa != request_.ssaa ||
-                         !picture_.valid();
+                         !allocated_;
     request_ = request;
     sample_ = 0;
+    rowsDone_ = 0;
     statistics_ = {};
     context_.timer().reset();
     context_.timing = context_.counting || request.timing;
@@ -95,18 +98,22 @@ void Frame::begin(const FrameRequest& request) {
     chooseProbes();
     if (request.view == View::kBvh) treeBoxes_.upload(treeLevel(instances_, request.treeLevel));
     if (filters_ && (resized || !lensFilter_)) lensFilter_.emplace(width, height, maxSide_);
-    if (!resized) return;
+    if (resized) allocate();
+}
+
+void Frame::allocate() {
+    const int width = request_.width * request_.ssaa, height = request_.height * request_.ssaa;
     layers_ = {};
-    if (request.layers) layers_.allocate(width, height);
+    if (request_.layers) layers_.allocate(width, height);
     const auto image = [&](TexelFormat f) { return Texture(width, height, f); };
     for (size_t i = 0; i < (transmissive_ ? 3 : 2); ++i) paths_[i].allocate(width, height);
     for (Texture& t : radiance_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : mean_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : context_.counters) t = image(TexelFormat::kRgba32ui);
-    picture_ = Texture(request.width, request.height, TexelFormat::kRgba8);
     depth_ = DepthImage(width, height);
     black_ = image(TexelFormat::kRgba32f);
     black_.clear();
+    allocated_ = true;
 }
 
 /// How many ways each hit looks for light. Few samples a pixel look more often each, so that a
@@ -116,7 +123,7 @@ void Frame::chooseProbes() {
     const auto share = [&](int all) { return std::clamp(all / request_.samples, 1, all); };
     const auto later = [](int first) { return std::max(1, first / 4); };
     const bool reference = request_.mode == RenderMode::kReference;
-    const int ambient = reference ? 0 : share(kAmbientProbes);
+    const int ambient = reference ? 0 : share(request_.quick ? kQuickProbes : kAmbientProbes);
     block.probes.y = ambient;
     block.probes.z = reference ? 0 : later(ambient);
     block.probes.w = share(kSubstanceProbes);
@@ -128,14 +135,60 @@ void Frame::chooseProbes() {
     block.skyTree.x = reference ? static_cast<int>(map.bright.nodes.size()) : 0;
     block.skyTree.y = tree.levels;
     if (tree.levels == 0) return;
-    block.skyTree.z = reference ? 1 : share(kSkyProbes);
+    block.skyTree.z = reference ? 1 : share(request_.quick ? 1 : kSkyProbes);
     block.skyTree.w = reference ? 1 : later(block.skyTree.z);
 }
 
 void Frame::drawSample() {
+    startSample();
+    drawRows({});
+    finishSample();
+}
+
+bool Frame::advance(double seconds) {
+    if (backend() == Backend::kCompute) {
+        drawSample();
+        finishGpu();
+        return true;
+    }
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const auto since = [](Clock::time_point t) {
+        return std::chrono::duration<double>(Clock::now() - t).count();
+    };
+    if (rowsDone_ == 0) startSample();
+    const int height = request_.height * request_.ssaa;
+    do {
+        const auto bandStart = Clock::now();
+        const int end = std::min(rowsDone_ + bandRows_, height);
+        drawRows({rowsDone_, end});
+        finishGpu();
+        rowsDone_ = end;
+        // Rows differ in what they cost: a quarter of the time leaves room for dearer ones.
+        const double ratio = seconds / 4 / std::max(since(bandStart), 1e-6);
+        bandRows_ = std::clamp(static_cast<int>(bandRows_ * std::clamp(ratio, 0.2, 2.0)), 4, 4096);
+    } while (rowsDone_ < height && since(start) < seconds);
+    if (rowsDone_ < height) return false;
+    rowsDone_ = 0;
+    finishSample();
+    return true;
+}
+
+/// What is done for the whole picture at once.
+void Frame::startSample() {
     context_.block.sampling.x = sample_;
     const glm::vec2 jitter = sampleOffset(sample_, request_.samples);
     context_.block.jitter = glm::vec4(jitter, request_.ssaa, 0);
+    std::optional<SharpLens> sharp;
+    if (request_.layers && sample_ == 0) sharp.emplace(context_.block);
+    rasterise();
+}
+
+/// The sample's passes over some rows. No pass reads another pixel than its own, so that rows are
+/// independent of each other; every call finds the counters, which change places, as the first did.
+void Frame::drawRows(PixelRows rows) {
+    const auto firstCounters = context_.counters[0].id();
+    context_.rows = rows;
     if (request_.layers && sample_ == 0) {
         const SharpLens sharp(context_.block);
         findFirstHits();
@@ -149,20 +202,39 @@ void Frame::drawSample() {
         viewPass(context_, paths_[0].records, radiance_[0]);
     }
     accumulatePass(context_, radiance_[0], mean_[0], mean_[1]);
+    context_.rows = {};
+    countersTurned_ = context_.counters[0].id() != firstCounters;
+    if (countersTurned_) std::swap(context_.counters[0], context_.counters[1]);
+}
+
+void Frame::finishSample() {
+    if (countersTurned_) std::swap(context_.counters[0], context_.counters[1]);
     std::swap(mean_[0], mean_[1]);
     if (context_.counting) addCounts();
     ++sample_;
 }
 
+/// The rasteriser has one eye; through a lens each pixel looks from a point of its own.
+bool Frame::rasters() const {
+    return request_.primary == Primary::kRaster && rasterPossible_ && context_.block.lens.x <= 0;
+}
+
+/// What of the first hits is found for the whole picture at once, if they are rasterised: meshes
+/// and, with counters, which are written as a whole, fields.
+void Frame::rasterise() {
+    if (!rasters()) return;
+    hits_ = planFirstHits(context_, instances_, FieldFinder::kFaster);
+    rasterMeshes(context_, hits_, depth_, paths_[1].records, paths_[0].records);
+    if (context_.counting)
+        findFields(context_, hits_, fieldRoot_, depth_, paths_[1].records, paths_[0].records);
+}
+
 void Frame::findFirstHits() {
-    // The rasteriser has one eye; through a lens each pixel looks from a point of its own.
-    const bool pinhole = context_.block.lens.x <= 0;
-    if (request_.primary == Primary::kTrace || !rasterPossible_ || !pinhole) {
+    context_.block.sampling.z = 0;
+    if (!rasters())
         visibilityPass(context_, paths_[0].records);
-        return;
-    }
-    rasterFirstHits(context_, instances_, fieldRoot_, FieldFinder::kFaster, depth_,
-                    paths_[1].records, paths_[0].records);
+    else if (!context_.counting)
+        findFields(context_, hits_, fieldRoot_, depth_, paths_[1].records, paths_[0].records);
 }
 
 /// Light at the first hits, then bounce by bounce. Leaves the result in radiance_[0].
@@ -199,25 +271,52 @@ const Texture& Frame::finished() {
     if (!filters_) return mean_[0];
     // The bounces have overwritten the records.
     context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
+    rasterise();
     findFirstHits();
     return lensFilter_->blur(context_, mean_[0], paths_[0].records);
 }
 
-ImageRgba8 Frame::picture() {
+const Texture& Frame::display() {
     if (request_.view == View::kBvh) {
         // The bounces have overwritten the records. Through the middles of the pixels, so that they
         // fit the lines.
         context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
         const SharpLens sharp(context_.block);
+        rasterise();
         findFirstHits();
     }
     const Texture* light = &finished();
+    if (picture_.width() != request_.width || picture_.height() != request_.height)
+        picture_ = Texture(request_.width, request_.height, TexelFormat::kRgba8);
     const glm::ivec4 drawn = context_.block.image;
     context_.block.image.x = request_.width;
     context_.block.image.y = request_.height;
     displayPass(context_, *light, picture_);
     if (request_.view == View::kBvh) boxesPass(context_, treeBoxes_, paths_[0].records, picture_);
     context_.block.image = drawn;
+    return picture_;
+}
+
+glm::uvec4 Frame::pick(glm::vec2 place) {
+    rowsDone_ = 0;  // the first hits of the sample that is being worked on are overwritten
+    context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
+    const SharpLens sharp(context_.block);
+    const Texture& records = paths_[0].records;
+    const auto texel = [](float share, int size) {
+        return std::clamp(static_cast<int>(share * static_cast<float>(size)), 0, size - 1);
+    };
+    const int x = texel(place.x, records.width()), y = texel(place.y, records.height());
+    rasterise();
+    context_.rows = {y, y + 1};
+    findFirstHits();
+    context_.rows = {};
+    const std::vector<uint32_t> texels = records.readUints();
+    const uint32_t* at = &texels[4 * (static_cast<size_t>(y) * records.width() + x)];
+    return {at[0], at[1], at[2], at[3]};
+}
+
+ImageRgba8 Frame::picture() {
+    display();
     const std::vector<uint8_t> bytes = picture_.readBytes();
     ImageRgba8 image(request_.width, request_.height);
     const size_t row = static_cast<size_t>(request_.width) * 4;

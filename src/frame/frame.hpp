@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "frame/first_hits.hpp"
 #include "frame/passes.hpp"
 #include "frame/tree_boxes.hpp"
 #include "frame/view.hpp"
@@ -36,6 +37,7 @@ struct FrameRequest {
     bool timing = false;  ///< measure the passes; always with counters
     bool layers = false;  ///< keep what layers() needs
     RenderMode mode = RenderMode::kHybrid;
+    bool quick = false;  ///< few looks for light, for a picture that moves
 };
 
 /// Sums over all samples drawn since begin(). Ray counts need counters.
@@ -59,8 +61,19 @@ class Frame {
     void begin(const FrameRequest& request);
     /// Draws one more sample. Throws InputError if a snippet does not compile.
     void drawSample();
+    /// Works for about so many seconds on one more sample, and waits for the GPU; true when the
+    /// sample is whole. Draws in bands of rows, as long as each takes a part of the time, with
+    /// fragment shaders, and the whole sample at once with compute shaders, which a GPU has that
+    /// needs no bands. The picture is the same as drawSample()'s to the last bit.
+    bool advance(double seconds);
     [[nodiscard]] int samplesDrawn() const { return sample_; }
-    /// The picture of the samples so far, top row first.
+    /// The picture of the samples so far as a texture, which stays, through begin() as well, until
+    /// the next call. Not while a sample is being worked on.
+    const Texture& display();
+    /// The hit record at a place of the picture, shares of its width and height from the lower
+    /// left. A sample that is being worked on begins anew.
+    [[nodiscard]] glm::uvec4 pick(glm::vec2 place);
+    /// The same as display(), top row first.
     [[nodiscard]] ImageRgba8 picture();
     /// The picture as data. Needs a request with `layers`.
     [[nodiscard]] LayerImages layers();
@@ -71,6 +84,12 @@ class Frame {
   private:
     void use(const PackedMoment& moment);
     void chooseProbes();
+    void allocate();
+    void startSample();
+    void drawRows(PixelRows rows);
+    void finishSample();
+    [[nodiscard]] bool rasters() const;
+    void rasterise();
     void findFirstHits();
     void followPaths();
     void followBounces();
@@ -80,11 +99,16 @@ class Frame {
     PassContext context_;
     FrameRequest request_;
     int sample_ = 0;
+    int rowsDone_ = 0;  ///< of the sample that advance() works on
+    int bandRows_ = 16;
+    bool countersTurned_ = false;  ///< a sample leaves its counts in the other image
     std::array<PathImages, 3> paths_;
     std::array<Texture, 2> radiance_, mean_;
     Texture black_, picture_;
+    bool allocated_ = false;
     LayerTextures layers_;
     DepthImage depth_;
+    FirstHitPlan hits_;
     std::vector<PackedInstance> instances_;
     TreeBoxes treeBoxes_;
     std::optional<LensFilter> lensFilter_;

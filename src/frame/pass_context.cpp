@@ -24,7 +24,7 @@ void PassContext::run(const std::string& pass, PassImages images) {
     }
     uniforms_.upload(std::as_bytes(std::span(&block, 1)));
     if (timing) timer_.begin(pass);
-    runner_.run(program, uniforms_, images);
+    runner_.run(program, uniforms_, images, rows);
     if (timing) timer_.end();
     if (counts) std::swap(counters[0], counters[1]);
 }
@@ -57,7 +57,7 @@ void PassContext::drawBoxes(const std::string& pass, int onlyField, const Raster
     uniforms_.upload(std::as_bytes(std::span(&block, 1)));
     const bool timed = timing && target != BoxTarget::kSum;  // counting is no part of a frame
     if (timed) timer_.begin(pass);
-    boxRunner_.run(program, uniforms_, all, target, VITRINE_RECORD_MISS, draws);
+    boxRunner_.run(program, uniforms_, all, target, VITRINE_RECORD_MISS, draws, rows);
     if (timed) timer_.end();
 }
 

@@ -26,7 +26,8 @@ class PassContext {
     PassContext(const GpuInfo& gpu, ProgramSet set, bool count)
         : programs(std::move(set)), counting(count), timer_(gpu.software) {}
 
-    /// Runs the pass of this name over all pixels. The scene's buffers are always there for it.
+    /// Runs the pass of this name over the pixels of `rows`. The scene's buffers are always there
+    /// for it.
     void run(const std::string& pass, PassImages images);
 
     /// Draws triangles into the records.
@@ -44,6 +45,7 @@ class PassContext {
     void overlay(const std::string& pass, PassImages images, int vertices);
 
     FrameBlock block{};
+    PixelRows rows;  ///< what run() draws
     GpuScene scene;
     ProgramSet programs;
     const bool counting;              ///< passes that trace keep counts

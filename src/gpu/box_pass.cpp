@@ -68,7 +68,8 @@ BoxRunner::~BoxRunner() {
 }
 
 void BoxRunner::run(const Program& program, const UniformBlock& block, const RasterImages& images,
-                    BoxTarget target, uint32_t clearTo, std::span<const BoxDraw> draws) {
+                    BoxTarget target, uint32_t clearTo, std::span<const BoxDraw> draws,
+                    PixelRows rows) {
     glUseProgram(program.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, block.id());
     bindInputs(program, images);
@@ -81,6 +82,9 @@ void BoxRunner::run(const Program& program, const UniformBlock& block, const Ras
     glDrawBuffers(1, &attachment);
     glViewport(0, 0, output.width(), output.height());
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, rows.begin, output.width(),
+              std::max(0, std::min(rows.end, output.height()) - rows.begin));
     prepareTarget(target, clearTo);
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
@@ -104,6 +108,7 @@ void BoxRunner::run(const Program& program, const UniformBlock& block, const Ras
         glUniform1iv(instances, count, batchInstances.data());
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, kStripVertices, count);
     }
+    glDisable(GL_SCISSOR_TEST);
     glCullFace(GL_BACK);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);

@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "gpu/image_pass.hpp"
 #include "gpu/raster_pass.hpp"
 
 namespace vitrine {
@@ -30,9 +31,10 @@ class BoxRunner {
     BoxRunner& operator=(const BoxRunner&) = delete;
 
     /// Draws the insides of the boxes, so that the eye may stand in them. `clearTo`: of
-    /// kNearestCleared.
+    /// kNearestCleared. Clears and draws `rows` only.
     void run(const Program& program, const UniformBlock& block, const RasterImages& images,
-             BoxTarget target, uint32_t clearTo, std::span<const BoxDraw> draws);
+             BoxTarget target, uint32_t clearTo, std::span<const BoxDraw> draws,
+             PixelRows rows = {});
 
   private:
     unsigned framebuffer_ = 0, vertexArray_ = 0;

@@ -3,6 +3,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cassert>
 
 #include "gpu/context.hpp"
@@ -38,7 +39,8 @@ PassRunner::~PassRunner() {
     glDeleteVertexArrays(1, &vertexArray_);
 }
 
-void PassRunner::run(const Program& program, const UniformBlock& block, const PassImages& images) {
+void PassRunner::run(const Program& program, const UniformBlock& block, const PassImages& images,
+                     PixelRows rows) {
     assert(!images.outputs.empty());
     glUseProgram(program.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, block.id());
@@ -67,11 +69,11 @@ void PassRunner::run(const Program& program, const UniformBlock& block, const Pa
         glBindTexture(GL_TEXTURE_2D, picture->id());
     }
     glActiveTexture(GL_TEXTURE0);
-    program.isCompute() ? dispatch(program, images) : draw(program, images);
+    program.isCompute() ? dispatch(program, images) : draw(program, images, rows);
     checkGl("running a pass");
 }
 
-void PassRunner::draw(const Program& program, const PassImages& images) {
+void PassRunner::draw(const Program& program, const PassImages& images, PixelRows rows) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     std::vector<GLenum> buffers;
     for (const auto& [name, texture] : images.outputs) {
@@ -84,7 +86,11 @@ void PassRunner::draw(const Program& program, const PassImages& images) {
         buffers[static_cast<size_t>(location)] = attachment;
     }
     glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
-    glViewport(0, 0, images.outputs[0].second->width(), images.outputs[0].second->height());
+    const int width = images.outputs[0].second->width(),
+              height = images.outputs[0].second->height();
+    const int end = std::min(rows.end, height);
+    // Not by the scissor: llvmpipe would compile every program once more for it.
+    glViewport(0, rows.begin, width, std::max(0, end - rows.begin));
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(vertexArray_);

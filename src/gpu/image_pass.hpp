@@ -22,6 +22,11 @@ struct PassImages {
     std::vector<std::pair<std::string, const MipTexture*>> pictures = {};
 };
 
+/// Rows of an image from the bottom, `end` not included; to the top if there are fewer.
+struct PixelRows {
+    int begin = 0, end = 1 << 30;
+};
+
 class PassRunner {
   public:
     PassRunner();
@@ -29,11 +34,13 @@ class PassRunner {
     PassRunner(const PassRunner&) = delete;
     PassRunner& operator=(const PassRunner&) = delete;
 
-    /// Names the program does not use are ignored: a variant may need less.
-    void run(const Program& program, const UniformBlock& block, const PassImages& images);
+    /// Names the program does not use are ignored: a variant may need less. Of the outputs only
+    /// `rows` are drawn; a compute program draws all of them always.
+    void run(const Program& program, const UniformBlock& block, const PassImages& images,
+             PixelRows rows = {});
 
   private:
-    void draw(const Program& program, const PassImages& images);
+    void draw(const Program& program, const PassImages& images, PixelRows rows);
     void dispatch(const Program& program, const PassImages& images);
     unsigned framebuffer_ = 0, vertexArray_ = 0;
 };

@@ -199,4 +199,33 @@ void applyOverride(toml::table& document, const std::string& assignment, Diagnos
     }
 }
 
+std::vector<std::string> overrideWords(const std::string& assignment) {
+    return splitKey(std::string_view(assignment).substr(0, assignment.find('=')));
+}
+
+std::string overrideValue(const std::string& assignment) {
+    const std::string value(trim(std::string_view(assignment).substr(assignment.find('=') + 1)));
+    try {
+        (void)toml::parse("value = " + value);
+        return value;
+    } catch (const toml::parse_error&) {
+        std::string quoted;
+        for (const char c : value) {
+            if (c == '"' || c == '\\') quoted += '\\';
+            quoted += c;
+        }
+        return '"' + quoted + '"';
+    }
+}
+
+std::optional<Target> findTarget(toml::table& document, const std::string& assignment) {
+    const std::vector<std::string> words = overrideWords(assignment);
+    const bool single = !isListSection(words[0]) && !isNamedSection(words[0]);
+    if (single && !document.contains(words[0])) return {};
+    Diagnostics ignored;
+    const std::vector<toml::table*> tables = findTargets(document, words, {}, ignored);
+    if (tables.empty()) return {};
+    return Target{tables[0], words, single || words.size() == 2 ? 1u : 2u};
+}
+
 }  // namespace vitrine

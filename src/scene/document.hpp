@@ -47,4 +47,17 @@ std::optional<toml::table> parseValue(const std::string& value, const std::strin
 /// "light.key" every light. VALUE is a TOML value; anything else is taken for text.
 void applyOverride(toml::table& document, const std::string& assignment, Diagnostics& diagnostics);
 
+/// The words of an assignment's key, and its value as TOML (quoted if it is text without quotes).
+std::vector<std::string> overrideWords(const std::string& assignment);
+std::string overrideValue(const std::string& assignment);
+
+/// The first table that an assignment changes: words[used] is the first word that is looked up in
+/// it. Nothing if the document has no such table yet.
+struct Target {
+    toml::table* table;
+    std::vector<std::string> words;
+    size_t used;
+};
+std::optional<Target> findTarget(toml::table& document, const std::string& assignment);
+
 }  // namespace vitrine

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <tuple>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/frames.hpp"
+#include "app/viewer/viewer.hpp"
 #include "pack/tree_level.hpp"
 
 namespace vitrine {
@@ -37,7 +40,8 @@ void defineRender(CLI::App& app, RenderOptions& o, std::function<int()>& chosen)
                   "a scene (.toml), a model (.gltf, .glb, .obj) or a field (.sdf.glsl)")
         ->required();
     c->add_option("-o,--output", o.output,
-                  "name.png, or name.exr with layers; name_####.png with --frames")
+                  "name.png, or name.exr with layers; with --frames name_####.png, or a film: "
+                  "name.mp4, .webm or .gif")
         ->required();
     c->add_option("-r,--resolution", o.resolution, "width x height")->capture_default_str();
     c->add_option("--spp", o.samples, "samples a pixel")->check(CLI::Range(1, 65536));
@@ -92,6 +96,23 @@ void defineInfo(CLI::App& app, InfoOptions& o, std::function<int()>& chosen) {
     c->callback([&] { chosen = [&] { return info(o); }; });
 }
 
+void defineView(CLI::App& app, ViewOptions& o, std::function<int()>& chosen) {
+    CLI::App* c = app.add_subcommand("view", "open a window on a scene");
+    c->add_option("FILE", o.file,
+                  "a scene (.toml), a model (.gltf, .glb, .obj) or a field (.sdf.glsl)")
+        ->required();
+    c->add_option("--camera", o.camera, "the camera of this name");
+    c->add_option_function<std::string>(
+         "-r,--resolution",
+         [&](const std::string& text) { std::tie(o.width, o.height) = parseResolution(text); },
+         "the window's width x height, with the panel")
+        ->default_str("1280x800");
+    c->add_option("--timings", o.timings,
+                  "write at the end how long the window took to answer, - to standard output");
+    addOverrides(*c, o.overrides);
+    c->callback([&] { chosen = [&] { return view(o); }; });
+}
+
 void defineCompare(CLI::App& app, CompareOptions& o, std::function<int()>& chosen) {
     CLI::App* c = app.add_subcommand("compare", "measure how two pictures differ");
     c->add_option("A", o.a)->required();
@@ -109,10 +130,18 @@ void defineCompare(CLI::App& app, CompareOptions& o, std::function<int()>& chose
     c->callback([&] { chosen = [&] { return compare(o); }; });
 }
 
-/// `vitrine` alone: the best scene there is, as a picture, because there is no window yet.
+/// `vitrine` alone: a window on the best scene there is; without a display, its picture in a file.
 int show(const std::string& version) {
+    const std::string file = VITRINE_SCENES "/lesson-both.toml";
+    try {
+        ViewOptions window;
+        window.file = file;
+        return view(window);
+    } catch (const NoDisplay& error) {
+        fmt::print(stderr, "vitrine: {}; drawing a picture instead\n", error.what());
+    }
     RenderOptions o;
-    o.file = VITRINE_SCENES "/lesson-both.toml";
+    o.file = file;
     o.output = "lesson-both.png";
     o.samples = 16;
     o.version = version;
@@ -131,6 +160,8 @@ int run(int argc, char** argv) {
     CheckOptions checkOptions;
     InfoOptions infoOptions;
     CompareOptions compareOptions;
+    ViewOptions viewOptions;
+    defineView(app, viewOptions, chosen);
     defineRender(app, renderOptions, chosen);
     defineCheck(app, checkOptions, chosen);
     defineInfo(app, infoOptions, chosen);

@@ -11,6 +11,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "image/png.hpp"
+#include "image/video.hpp"
 
 namespace vitrine {
 namespace {
@@ -21,9 +22,14 @@ Backend parseBackend(const std::string& name) {
     return Backend::kAuto;
 }
 
-void checkOutputName(const std::string& output) {
+void checkOutputName(const std::string& output, bool several) {
+    if (isVideoName(output)) {
+        if (!several) throw UsageError(fmt::format("-o: the film '{}' needs --frames", output));
+        return;
+    }
     if (!endsWith(output, ".png") && !endsWith(output, ".exr"))
-        throw UsageError(fmt::format("-o: '{}' must end in .png or .exr", output));
+        throw UsageError(fmt::format(
+            "-o: '{}' must end in .png or .exr, or for a film in .mp4, .webm or .gif", output));
 }
 
 struct FileNotes {
@@ -73,7 +79,9 @@ nlohmann::ordered_json describe(const LoadedScene& loaded, Renderer& renderer,
 }  // namespace
 
 int render(const RenderOptions& options) {
-    checkOutputName(options.output);
+    const bool several = !options.frames.empty();
+    checkOutputName(options.output, several);
+    const bool film = isVideoName(options.output);
     PictureRequest picture;
     std::tie(picture.width, picture.height) = parseResolution(options.resolution);
     picture.camera = options.camera;
@@ -84,10 +92,9 @@ int render(const RenderOptions& options) {
     picture.treeLevel = view.treeLevel;
     picture.primary = options.primary == "trace" ? Primary::kTrace : Primary::kRaster;
     picture.mode = options.mode == "reference" ? RenderMode::kReference : RenderMode::kHybrid;
-    const bool several = !options.frames.empty();
     const FrameRange range = several ? parseFrames(options.frames) : FrameRange{};
     // Better to fail now than after an hour of rendering.
-    checkWritable(several ? frameFileName(options.output, range.first) : options.output);
+    checkWritable(several && !film ? frameFileName(options.output, range.first) : options.output);
     if (!options.json.empty() && options.json != "-") checkWritable(options.json);
 
     Diagnostics diagnostics;
@@ -104,14 +111,21 @@ int render(const RenderOptions& options) {
     const int frames = (range.last - range.first) / range.step + 1;
     Progress progress(static_cast<int64_t>(frames) * samples);
     const auto start = std::chrono::steady_clock::now();
+    std::optional<VideoWriter> video;
+    if (film) video.emplace(options.output, picture.width, picture.height, options.fps);
     for (int i = 0; i < frames; ++i) {
         const int frame = range.first + i * range.step;
         picture.time = several ? static_cast<float>(frame) / options.fps : options.time;
+        if (film) {
+            video->add(renderer.draw(picture, [&](int, int) { progress.step(options.output); }));
+            continue;
+        }
         const std::string file = several ? frameFileName(options.output, frame) : options.output;
         writeFileAtomically(file, drawFile(renderer, picture, file,
                                            {"Vitrine " + options.version, loaded.scene.title},
                                            [&](int, int) { progress.step(file); }));
     }
+    if (film) video->finish();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (!options.json.empty())
         writeJson(

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/commands.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <filesystem>
+
+namespace vitrine {
+namespace {
+
+constexpr std::array<std::array<const char*, 2>, 8> kMouse{
+    {{"left drag", "turn around the target"},
+     {"right or middle drag", "move sideways and up"},
+     {"wheel", "nearer and farther, at the cursor"},
+     {"click", "select what is under the cursor"},
+     {"W A S D  Q E", "walk, down and up; Shift: faster"},
+     {"right drag while walking", "look around"},
+     {"double click", "fly to what is under the cursor"},
+     {"Ctrl and click on a slider", "type its value"}}};
+
+std::string quoted(const std::string& text) {
+    if (text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                               "-_./=,:+@%") == std::string::npos)
+        return text;
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
+
+std::string list(const glm::vec3& v) {
+    return fmt::format("[{},{},{}]", v.x, v.y, v.z);
+}
+
+void helpRow(const std::string& keys, const std::string& what) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextColored(ImVec4(1.0f, 0.78f, 0.36f, 1), "%s", keys.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(what.c_str());
+}
+
+}  // namespace
+
+void runKeys(const std::vector<Command>& commands, const std::vector<KeyPress>& presses) {
+    for (const KeyPress& press : presses)
+        for (const Command& c : commands)
+            if (c.key == press.key && c.control == press.control && c.shift == press.shift) c.run();
+}
+
+void drawMenus(const std::vector<Command>& commands) {
+    if (!ImGui::BeginMenuBar()) return;
+    for (size_t i = 0; i < commands.size();) {
+        const std::string& menu = commands[i].menu;
+        const bool open = ImGui::BeginMenu(menu.c_str());
+        for (; i < commands.size() && commands[i].menu == menu; ++i) {
+            const Command& c = commands[i];
+            if (open && ImGui::MenuItem(c.name.c_str(), c.keys.c_str(), c.chosen)) c.run();
+        }
+        if (open) ImGui::EndMenu();
+    }
+    ImGui::EndMenuBar();
+}
+
+void drawHelp(const std::vector<Command>& commands, glm::vec2 pictureSize) {
+    ImGui::SetNextWindowPos({pictureSize.x / 2, pictureSize.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowBgAlpha(0.88f);
+    ImGui::Begin("Keys", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const auto& [keys, what] : kMouse) helpRow(keys, what);
+        for (const Command& command : commands)
+            if (!command.keys.empty()) helpRow(command.keys, command.name);
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+std::string renderCommand(const ShownPicture& picture) {
+    std::string text = "vitrine render " + quoted(picture.file) + " -o picture.png" +
+                       fmt::format(" --resolution {}x{}", picture.width, picture.height);
+    if (picture.view != "color") text += " --view " + picture.view;
+    if (picture.time != 0) text += fmt::format(" --time {}", picture.time);
+    for (const std::string& assignment : picture.overrides) text += " --set " + quoted(assignment);
+    const Camera& camera = picture.camera;
+    if (!camera.name.empty()) text += " --camera " + quoted(camera.name);
+    const std::string key =
+        " --set " + (camera.name.empty() ? "camera" : quoted("camera." + camera.name));
+    text += key + quoted(".eye=" + list(camera.eye));
+    text += key + quoted(".target=" + list(camera.target));
+    text += key + quoted(".up=" + list(camera.up));
+    return text;
+}
+
+std::string nextPictureName(const std::string& prefix) {
+    std::string name;
+    int number = 1;
+    do name = fmt::format("{}-{:04}.png", prefix, number++);
+    while (std::filesystem::exists(name));
+    return name;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// All that can be asked of the window in one list: keys, menu and help are made from it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gpu/window.hpp"
+#include "scene/scene.hpp"
+
+namespace vitrine {
+
+struct Command {
+    std::string menu, name;
+    std::string keys;  ///< as people write them: "Ctrl+S"
+    int key = 0;       ///< a KeyPress::key; 0: in the menu only
+    bool control = false, shift = false;
+    std::function<void()> run;
+    bool chosen = false;  ///< the menu ticks it
+};
+
+/// Runs the commands of these keys.
+void runKeys(const std::vector<Command>& commands, const std::vector<KeyPress>& presses);
+/// The menu bar of the current ImGui window.
+void drawMenus(const std::vector<Command>& commands);
+/// A list of all keys over the picture, of this size in ImGui units.
+void drawHelp(const std::vector<Command>& commands, glm::vec2 pictureSize);
+
+/// The picture in the window as a command line.
+struct ShownPicture {
+    std::string file;
+    Camera camera;  ///< with the name of the scene's camera that it came from
+    std::vector<std::string> overrides;
+    int width = 0, height = 0;
+    std::string view;
+    float time = 0;
+};
+/// `vitrine render ...`, quoted for a shell, that draws the same.
+std::string renderCommand(const ShownPicture& picture);
+
+/// PREFIX-0001.png, or the first number after it that is not taken in the current folder.
+std::string nextPictureName(const std::string& prefix);
+
+}  // namespace vitrine

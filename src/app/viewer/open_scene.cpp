@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/open_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "import/import_models.hpp"
+#include "scene/edit_text.hpp"
+#include "scene/parse.hpp"
+#include "scene/pose.hpp"
+
+namespace vitrine {
+namespace {
+
+constexpr uint64_t kMaxSceneBytes = 16u << 20;
+
+bool isScene(const std::string& file) {
+    return endsWith(file, ".toml");
+}
+
+}  // namespace
+
+bool changesOnlyNumbers(const std::vector<std::string>& before,
+                        const std::vector<std::string>& after) {
+    std::vector<std::string> a = before, b = after, changed;
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(),
+                                  std::back_inserter(changed));
+    // The surroundings may be a picture that is computed from their numbers.
+    return std::all_of(changed.begin(), changed.end(), [](const std::string& assignment) {
+        const std::string section = assignment.substr(0, assignment.find('.'));
+        return section == "render" || section == "camera" || section == "light" ||
+               section == "material" || section == "node";
+    });
+}
+
+OpenScene::OpenScene(const Context& context, std::string file, std::vector<std::string> overrides)
+    : file_(std::move(file)),
+      given_(std::move(overrides)),
+      prober_(FieldProber::Thoroughness::kNeeded, &context) {
+    if (!load()) problems_.throwIfErrors();
+}
+
+std::vector<std::string> OpenScene::overrides() const {
+    std::vector<std::string> all = given_;
+    for (std::string& assignment : edits.assignments()) all.push_back(std::move(assignment));
+    return all;
+}
+
+bool OpenScene::load() {
+    Diagnostics diagnostics;
+    auto next = std::make_unique<LoadedScene>();
+    {
+        const ReadRecord record;
+        try {
+            *next = loadAll(file_, overrides(), prober_, diagnostics);
+        } catch (const InputError& error) {
+            diagnostics.append(error.diagnostics());
+        }
+        files_ = record.files();
+    }
+    files_.insert(file_);
+    watch_.watch(files_);
+    editsTaken_ = edits.version();
+    problems_ = diagnostics;
+    if (diagnostics.hasErrors()) return false;
+    problems_ = {};
+    loaded_ = std::move(next);
+    taken_ = overrides();
+    models_ = {};
+    return true;
+}
+
+/// Reads the scene's text again, with the edits, and nothing else.
+bool OpenScene::takeNumbers() {
+    Diagnostics diagnostics;
+    editsTaken_ = edits.version();
+    Scene next = loadScene(file_, overrides(), diagnostics);
+    importModels(next, models_, diagnostics);
+    if (!diagnostics.hasErrors()) {
+        std::swap(loaded_->scene, next);
+        try {
+            (void)moment(0);
+            taken_ = overrides();
+            problems_ = {};
+            return true;
+        } catch (const InputError& error) {
+            diagnostics = error.diagnostics();
+            std::swap(loaded_->scene, next);
+        }
+    }
+    problems_ = diagnostics;
+    return false;
+}
+
+OpenScene::Change OpenScene::follow(bool files) {
+    const bool filesChanged = files && !watch_.changed().empty();
+    if (!filesChanged && editsTaken_ == edits.version()) return Change::kNone;
+    // While the files are broken, numbers of the last good scene cannot be trusted to fit them.
+    if (filesChanged || problems_.hasErrors() || !isScene(file_) ||
+        !changesOnlyNumbers(taken_, overrides()))
+        return load() ? Change::kAll : Change::kNone;
+    return takeNumbers() ? Change::kNumbers : Change::kNone;
+}
+
+PackedMoment OpenScene::moment(float time) {
+    posed_ = loaded_->scene.animations.empty() ? loaded_->scene : poseScene(loaded_->scene, time);
+    Diagnostics diagnostics;
+    PackedMoment moment = packMoment(posed_, loaded_->assets, loaded_->packed, diagnostics);
+    diagnostics.throwIfErrors();
+    return moment;
+}
+
+float OpenScene::duration() const {
+    float last = 0;
+    for (const AnimationTrack& track : loaded_->scene.animations)
+        last = std::max({last, track.times.back(), track.loopEnd});
+    return last;
+}
+
+std::string OpenScene::save() {
+    if (edits.empty()) return "nothing has been changed";
+    if (!isScene(file_)) return "only scenes (.toml) can be saved";
+    try {
+        Diagnostics diagnostics;
+        const std::string before = readFile(file_, kMaxSceneBytes);
+        const std::string after = editSceneText(before, file_, edits.assignments(), diagnostics);
+        if (diagnostics.hasErrors()) return "not saved: " + diagnostics.text();
+        if (after != before) writeFileAtomically(file_, after);
+        const size_t values = edits.assignments().size();
+        edits.clear();
+        return fmt::format("saved {} value{} to {}", values, values == 1 ? "" : "s", file_);
+    } catch (const std::exception& error) {
+        return fmt::format("not saved: {}", error.what());
+    }
+}
+
+}  // namespace vitrine

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/overlay.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "base/file.hpp"
+
+namespace vitrine {
+namespace {
+
+constexpr uint64_t kMaxSourceBytes = 16u << 20;
+constexpr size_t kMostProblems = 12;
+constexpr ImGuiWindowFlags kLabel = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+}  // namespace
+
+bool Timeline::advance(float elapsed) {
+    if (!playing) return false;
+    time += elapsed;
+    if (duration <= 0 || time < duration) return true;
+    if (loop) {
+        time = std::fmod(time, duration);
+    } else {
+        time = duration;
+        playing = false;
+    }
+    return true;
+}
+
+std::string sourceLine(const std::string& file, int line) {
+    try {
+        std::istringstream text(readFile(file, kMaxSourceBytes));
+        std::string result;
+        for (int i = 0; i < line; ++i)
+            if (!std::getline(text, result)) return "";
+        return result;
+    } catch (const InputError&) {
+        return "";
+    }
+}
+
+void drawProblems(const Diagnostics& problems, glm::vec2 pictureSize) {
+    if (!problems.hasErrors()) return;
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.32f, 0.05f, 0.05f, 0.92f));
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({pictureSize.x, 0});
+    ImGui::Begin("Problems", nullptr, kLabel);
+    ImGui::PushTextWrapPos(0);
+    size_t shown = 0;
+    for (const Diagnostic& problem : problems.list()) {
+        if (problem.severity != Severity::kError) continue;
+        if (++shown > kMostProblems) break;
+        ImGui::Text("%s: %s", problem.where.text().c_str(), problem.message.c_str());
+        const std::string line = sourceLine(problem.where.file, problem.where.line);
+        if (!line.empty())
+            ImGui::TextColored(ImVec4(1, 0.85f, 0.6f, 1), "%5d | %s", problem.where.line,
+                               line.c_str());
+    }
+    ImGui::TextDisabled("The last good picture stays until the file is mended.");
+    ImGui::PopTextWrapPos();
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+void drawMessage(const std::string& text, glm::vec2 pictureSize) {
+    ImGui::SetNextWindowPos({pictureSize.x / 2, pictureSize.y - 48}, ImGuiCond_Always, {0.5f, 1});
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    ImGui::Begin("Message", nullptr,
+                 kLabel | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::End();
+}
+
+bool drawTimeline(Timeline& timeline, glm::vec2 pictureSize) {
+    ImGui::SetNextWindowPos({0, pictureSize.y}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSize({pictureSize.x, 0});
+    ImGui::SetNextWindowBgAlpha(0.7f);
+    ImGui::Begin("Timeline", nullptr, kLabel);
+    if (ImGui::Button(timeline.playing ? "pause" : "play")) timeline.playing = !timeline.playing;
+    ImGui::SameLine();
+    ImGui::Checkbox("loop", &timeline.loop);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    const bool moved = ImGui::SliderFloat("##time", &timeline.time, 0, timeline.duration, "%.2f s");
+    ImGui::End();
+    return moved;
+}
+
+}  // namespace vitrine

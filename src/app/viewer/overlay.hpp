@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What lies over the picture: mistakes in the scene's files, a passing message, the timeline.
+#pragma once
+
+#include <string>
+
+#include "base/error.hpp"
+#include "base/math.hpp"
+
+namespace vitrine {
+
+/// Time as it plays.
+struct Timeline {
+    float time = 0;      ///< s
+    float duration = 0;  ///< s; 0: the scene has no animations and time is of snippets only
+    bool playing = false, loop = true;
+
+    /// Goes on by `elapsed` seconds; returns whether the time has changed.
+    bool advance(float elapsed);
+};
+
+/// Each mistake with its place and the line of the file that it is in.
+void drawProblems(const Diagnostics& problems, glm::vec2 pictureSize);
+void drawMessage(const std::string& text, glm::vec2 pictureSize);
+/// Returns whether a hand has changed the time.
+bool drawTimeline(Timeline& timeline, glm::vec2 pictureSize);
+
+/// Line `line`, from 1, of a file; empty if there is none.
+std::string sourceLine(const std::string& file, int line);
+
+}  // namespace vitrine

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The panel: a control for everything that `--set` can set, made from the option tables and from
+// the annotations of snippets.
+#pragma once
+
+#include <string>
+
+#include "app/viewer/edits.hpp"
+#include "pack/assets.hpp"
+#include "scene/scene.hpp"
+
+namespace vitrine {
+
+/// What is chosen in the picture or the tree: a node, by its place in Scene::nodes.
+struct Selection {
+    int node = -1;
+    bool justMade = false;  ///< the panel scrolls to it once
+};
+
+class Panel {
+  public:
+    /// Draws the panel into the current ImGui window. Changes go to `edits`.
+    void draw(const Scene& scene, const Assets& assets, Edits& edits, Selection& selection);
+
+  private:
+    std::string filter_;
+};
+
+}  // namespace vitrine

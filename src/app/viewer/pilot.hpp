@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Hands on the camera: mouse and keys of a frame of the interface become moves of the camera.
+#pragma once
+
+#include "app/viewer/camera_control.hpp"
+
+namespace vitrine {
+
+class Pilot {
+  public:
+    Camera camera;
+
+    /// Takes what ImGui says of the mouse and the keys over a picture of this size (ImGui units,
+    /// from the upper left). Returns whether the camera moved.
+    bool steer(float elapsed, glm::vec2 pictureSize);
+    /// Flies to another camera in `seconds`; any move by hand ends it.
+    void flyTo(const Camera& goal, float seconds);
+    /// Takes a camera of the scene, and from now on goes where it goes until a hand takes over.
+    void take(const Camera& sceneCamera, float seconds);
+    /// That camera as it is now, by time or because it was `edited`. Its lens always counts; where
+    /// it stands counts unless a hand holds the camera, and after an edit even then.
+    void follow(const Camera& sceneCamera, bool edited);
+    /// Back to where the scene's camera is.
+    void goHome(float seconds) { take(followed_, seconds); }
+    [[nodiscard]] bool flying() const { return flight_.active(); }
+    /// The cursor from the middle of the picture, in its heights, y up.
+    [[nodiscard]] static glm::vec2 cursor(glm::vec2 pictureSize);
+    /// Height of the picture at distance 1.
+    [[nodiscard]] float viewHeight(glm::vec2 pictureSize) const;
+
+  private:
+    bool dragged(glm::vec2 pictureSize);
+    bool walked(float elapsed);
+    Flight flight_;
+    Camera followed_;
+    bool held_ = false;
+};
+
+/// The ray through a point of the picture, as Pilot::cursor() gives it: its unit direction.
+/// `height` is that of the picture at distance 1.
+glm::vec3 directionThrough(const Camera& camera, glm::vec2 cursor, float height);
+
+}  // namespace vitrine

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// A sample in many small bands is, to the last bit, the sample drawn at once.
+#include "gpu_support.hpp"
+#include "mesh/primitives.hpp"
+
+namespace vitrine {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 64, kSamples = 3;
+
+class BandsTest : public test::GpuTest {};
+
+/// Mesh, field, mirror and, if asked for, glass, which follows two sets of paths.
+LoadedScene things(bool glass) {
+    test::TestScene made;
+    Material mirror, paint, clear;
+    mirror.metallic = 1;
+    mirror.roughness = 0.05f;
+    paint.baseColor.rgb = {0.7f, 0.3f, 0.2f};
+    clear.transmission = 1;
+    clear.roughness = 0;
+    const int ball = made.addField(
+        "// bounds[-1, -1, -1,  1, 1, 1]\nfloat sdf(vec3 p) { return length(p) - 0.9; }\n");
+    made.add(made.addMesh(makePlane(8, 8)), made.addMaterial(paint)).at = {0, -0.8f, 0};
+    made.add(made.addMesh(makeTorus(0.6f, 0.25f, 24, 12)), made.addMaterial(mirror)).at = {1, 0, 0};
+    made.add(ball, made.addMaterial(glass ? clear : mirror)).at = {-0.7f, 0.2f, 0.4f};
+    made.addSun({-0.4f, -1, -0.5f}, 2);
+    made.setEnvironment(0.4f);
+    made.scene.cameras[0].eye = {0.5f, 1.5f, 4};
+    return made.load();
+}
+
+FrameRequest request(View view, int bounces, Primary primary) {
+    FrameRequest r;
+    r.width = kWidth;
+    r.height = kHeight;
+    r.ssaa = view == View::kNormal ? 2 : 1;
+    r.camera.eye = {0.5f, 1.5f, 4};
+    r.camera.fov = 45;
+    r.samples = kSamples;
+    r.bounces = bounces;
+    r.view = view;
+    r.primary = primary;
+    return r;
+}
+
+struct Drawn {
+    ImageRgba8 picture;
+    FrameStatistics statistics;
+    int calls = 0;
+};
+
+Drawn atOnce(Frame& frame, const FrameRequest& r) {
+    frame.begin(r);
+    for (int i = 0; i < r.samples; ++i) frame.drawSample();
+    return {frame.picture(), frame.statistics(), r.samples};
+}
+
+Drawn inBands(Frame& frame, const FrameRequest& r) {
+    frame.begin(r);
+    Drawn drawn;
+    while (frame.samplesDrawn() < r.samples) {
+        frame.advance(0);
+        ++drawn.calls;
+    }
+    drawn.picture = frame.picture();
+    drawn.statistics = frame.statistics();
+    return drawn;
+}
+
+void expectSame(Frame& frame, const FrameRequest& r) {
+    const Drawn whole = atOnce(frame, r), bands = inBands(frame, r);
+    if (frame.backend() == Backend::kFragment) {
+        EXPECT_GT(bands.calls, 10 * kSamples);
+    }
+    EXPECT_EQ(whole.picture.pixels, bands.picture.pixels);
+    EXPECT_EQ(whole.statistics.nodes, bands.statistics.nodes);
+    EXPECT_EQ(whole.statistics.steps, bands.statistics.steps);
+    EXPECT_EQ(whole.statistics.shadowRays, bands.statistics.shadowRays);
+    EXPECT_EQ(whole.statistics.bounceRays, bands.statistics.bounceRays);
+    EXPECT_GT(*std::max_element(whole.picture.pixels.begin(), whole.picture.pixels.end()), 60);
+}
+
+TEST_F(BandsTest, MakeTheSamePicture) {
+    for (const bool glass : {false, true}) {
+        const LoadedScene loaded = things(glass);
+        for (const bool counters : {false, true}) {
+            Frame frame(context(), loaded.packed, Backend::kFragment, counters);
+            for (const Primary primary : {Primary::kRaster, Primary::kTrace})
+                for (const int bounces : {0, 1, 2}) {
+                    SCOPED_TRACE(fmt::format("glass {} counters {} trace {} bounces {}", glass,
+                                             counters, primary == Primary::kTrace, bounces));
+                    expectSame(frame, request(View::kColor, bounces, primary));
+                }
+        }
+    }
+}
+
+TEST_F(BandsTest, MakeTheSameViews) {
+    const LoadedScene loaded = things(true);
+    Frame frame(context(), loaded.packed, Backend::kFragment, true);
+    for (const View view : {View::kNormal, View::kReflection, View::kShadow, View::kNodes}) {
+        SCOPED_TRACE(viewNames()[static_cast<size_t>(view)]);
+        expectSame(frame, request(view, 2, Primary::kRaster));
+    }
+}
+
+/// Layers are of the sharp first sample, whatever the lens.
+TEST_F(BandsTest, MakeTheSameLayers) {
+    const LoadedScene loaded = things(false);
+    Frame frame(context(), loaded.packed, Backend::kFragment, true);
+    for (const float fStop : {0.0f, 0.5f}) {
+        SCOPED_TRACE(fStop);
+        FrameRequest r = request(View::kColor, 1, Primary::kRaster);
+        r.camera.fStop = fStop;
+        r.layers = true;
+        expectSame(frame, r);
+        const LayerImages bands = frame.layers();
+        atOnce(frame, r);
+        const LayerImages whole = frame.layers();
+        EXPECT_EQ(whole.depth.pixels, bands.depth.pixels);
+        EXPECT_EQ(whole.ids.pixels, bands.ids.pixels);
+        EXPECT_EQ(whole.normal.pixels, bands.normal.pixels);
+    }
+}
+
+TEST_F(BandsTest, ComputeDrawsAllAtOnce) {
+    if (!context().info().compute) GTEST_SKIP() << "no compute shaders";
+    const LoadedScene loaded = things(false);
+    Frame frame(context(), loaded.packed, Backend::kCompute, false);
+    expectSame(frame, request(View::kColor, 2, Primary::kRaster));
+}
+
+/// The window shows the last picture while it works on a finer one.
+TEST_F(BandsTest, KeepTheLastPictureUntilTheNextIsWhole) {
+    const LoadedScene loaded = things(false);
+    Frame frame(context(), loaded.packed, Backend::kFragment, false);
+    FrameRequest coarse = request(View::kColor, 1, Primary::kRaster);
+    coarse.width /= 4;
+    coarse.height /= 4;
+    frame.begin(coarse);
+    frame.drawSample();
+    const Texture& shown = frame.display();
+    const std::vector<uint8_t> before = shown.readBytes();
+    frame.begin(request(View::kColor, 1, Primary::kRaster));
+    ASSERT_FALSE(frame.advance(0));
+    EXPECT_EQ(shown.width(), kWidth / 4);
+    EXPECT_EQ(shown.readBytes(), before);
+    while (!frame.advance(0)) {
+    }
+    EXPECT_EQ(frame.display().width(), kWidth);
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,58 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# A snippet is written fifty times while the window shows it, every third time broken or cut short:
+#   window_snippet_test.sh PROGRAM [TIMES]
+# Prints how long each kind took to show; the memory of the finished picture stays within 5 %.
+. "$(dirname "$0")/window_support.sh"
+times=${2:-50}
+write_scene
+start_display
+start_window scene.toml
+shoot
+first=$shot
+
+# Resident memory in kB.
+memory() { awk '/^VmRSS/ {print $2}' "/proc/$window_process/status"; }
+now() { date +%s%3N; }
+
+# The snippet as it was, and the whole picture of it.
+mend() {
+    echo "$ball" > ball.sdf.glsl
+    soon 20 no_banner
+    soon 20 shows "$first"
+    radius=radius
+}
+
+: > latencies
+before_memory=
+radius=radius
+for i in $(seq "$times"); do
+    begin=$(now)
+    case $((i % 6)) in
+        3) kind=broken; echo "${ball/length(p)/lenght(p)}" > ball.sdf.glsl; soon 20 banner ;;
+        0) kind=cut; echo "${ball:0:$((${#ball} - 4 - i % 7))}" > ball.sdf.glsl; soon 20 banner ;;
+        *)
+            kind=good
+            # A smaller ball, then the whole one again: the pixel is beside one and in the other.
+            if [ "$radius" = radius ]; then radius='0.4 * radius'; else radius=radius; fi
+            was=$(pixel 230 225)
+            echo "${ball/- radius/- $radius}" > ball.sdf.glsl
+            other() { [ "$(pixel 230 225)" != "$was" ] && no_banner; }
+            soon 20 other
+            ;;
+    esac
+    echo "$kind $(($(now) - begin))" >> latencies
+    # The first ones fill the caches of the driver.
+    [ "$i" -eq 11 ] && mend && before_memory=$(memory)
+done
+mend
+after_memory=$(memory)
+for kind in good broken cut; do
+    grep "^$kind" latencies | sort -k2n | awk -v kind=$kind '{ms[NR] = $2}
+        END {printf "%-7s %3d times  median %5d ms  longest %5d ms\n", kind, NR,
+             ms[int((NR + 1) / 2)], ms[NR]}'
+done
+echo "memory: $before_memory kB at first, $after_memory kB after $times edits"
+[ $((after_memory * 100)) -le $((before_memory * 105)) ] || fail "memory grows"
+close_window
+echo passed
