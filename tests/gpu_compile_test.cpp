@@ -77,7 +77,8 @@ void measurePasses(const Context& gpu, const LoadedScene& loaded, Backend backen
                          },
                          group.field});
     for (const Step& step : steps) {
-        const double compile = secondsOf(gpu, [&] { (void)context.programs.get(step.pass, step.onlyField); });
+        const double compile =
+            secondsOf(gpu, [&] { (void)context.programs.get(step.pass, step.onlyField); });
         const double draw = secondsOf(gpu, [&] {
             step.draw();
             finishGpu();
@@ -116,6 +117,7 @@ TEST_F(CompileTest, EveryProgramIsReadyInASecond) {
                            {"lesson-both", true},
                            {"robot"},
                            {"vitrine-case"},
+                           {"patterns"},
                            {"robot", false, quick}};
     for (const auto& [name, counters, overrides] : scenes) {
         SCOPED_TRACE(name);
