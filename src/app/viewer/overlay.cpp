@@ -44,7 +44,7 @@ std::string sourceLine(const std::string& file, int line) {
     }
 }
 
-void drawProblems(const Diagnostics& problems, glm::vec2 pictureSize) {
+void drawProblems(const Diagnostics& problems, const char* outlook, glm::vec2 pictureSize) {
     if (!problems.hasErrors()) return;
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.32f, 0.05f, 0.05f, 0.92f));
     ImGui::SetNextWindowPos({0, 0});
@@ -61,7 +61,7 @@ void drawProblems(const Diagnostics& problems, glm::vec2 pictureSize) {
             ImGui::TextColored(ImVec4(1, 0.85f, 0.6f, 1), "%5d | %s", problem.where.line,
                                line.c_str());
     }
-    ImGui::TextDisabled("The last good picture stays until the file is mended.");
+    ImGui::TextDisabled("%s", outlook);
     ImGui::PopTextWrapPos();
     ImGui::End();
     ImGui::PopStyleColor();

@@ -19,8 +19,8 @@ struct Timeline {
     bool advance(float elapsed);
 };
 
-/// Each mistake with its place and the line of the file that it is in.
-void drawProblems(const Diagnostics& problems, glm::vec2 pictureSize);
+/// Each mistake with its place and the line of the file that it is in, and what becomes of them.
+void drawProblems(const Diagnostics& problems, const char* outlook, glm::vec2 pictureSize);
 void drawMessage(const std::string& text, glm::vec2 pictureSize);
 /// Returns whether a hand has changed the time.
 bool drawTimeline(Timeline& timeline, glm::vec2 pictureSize);

@@ -34,6 +34,7 @@ constexpr double kBudget = 0.070;      // s for a frame while something moves
 constexpr double kRestSeconds = 0.15;  // of quiet until the fine picture begins
 constexpr double kWatchSeconds = 0.1;  // between looks at the files
 constexpr double kMessageSeconds = 4;
+constexpr double kRefusalSeconds = 10;
 constexpr float kFlightSeconds = 0.7f;
 // The interface answers an event, and learns the size of a new text, within so many frames.
 constexpr int kSettlingFrames = 3;
@@ -44,9 +45,13 @@ double secondsSince(Clock::time_point then) {
     return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
+std::string titleFor(const std::string& file) {
+    return file + " - Vitrine";
+}
+
 /// With something to read while the scene is being read.
 std::unique_ptr<Window> openWindow(const ViewOptions& options) {
-    auto window = Window::open(options.width, options.height, options.file + " - Vitrine");
+    auto window = Window::open(options.width, options.height, titleFor(options.file));
     for (int i = 0; i < 2; ++i) {  // ImGui learns the size of a text when it draws it first
         window->begin(0);
         window->clear();
@@ -91,6 +96,7 @@ class Viewer {
         const auto elapsed = static_cast<float>(secondsSince(before_));
         before_ = Clock::now();
         kind_ = Latencies::Kind::kRefine;
+        takeDrop();
         const std::vector<Command> commands = listCommands();
         interface(commands);
         const std::vector<KeyPress> presses = window_->takeKeyPresses();
@@ -144,6 +150,33 @@ class Viewer {
         if (change == OpenScene::Change::kNumbers) showMoment(Latencies::Kind::kEdit);
         if (change != OpenScene::Change::kNone || broken != scene_.problems().hasErrors())
             settling_ = kSettlingFrames;
+    }
+
+    /// Opens the first of the files that were dropped on the window.
+    void takeDrop() {
+        const std::vector<std::string> files = window_->takeDroppedFiles();
+        if (files.empty()) return;
+        const std::string& file = files.front();
+        refusedAt_ = Clock::now();
+        // What has been changed by hand is lost only to who drops the file twice.
+        if (!scene_.edits.empty() && droppedBefore_ != file) {
+            droppedBefore_ = file;
+            refusal_ = {};
+            refusal_.error({scene_.file()},
+                           "has changes that are not saved: drop the file again to lose them");
+            return;
+        }
+        droppedBefore_.clear();
+        refusal_ = scene_.open(file);
+        if (refusal_.hasErrors()) return;
+        window_->setTitle(titleFor(file));
+        selection_ = {};
+        timeline_ = {};
+        camera_ = 0;
+        pilot_.take(scene_.loaded().scene.cameras.front(), 0);
+        showAll();
+        say(files.size() == 1 ? "opened " + file
+                              : fmt::format("opened {}, the first of {}", file, files.size()));
     }
 
     void showAll() {
@@ -200,7 +233,7 @@ class Viewer {
         const glm::vec2 size = pictureSize();
         if (panelShown_) panel(commands, size);
         split_.drawLine(size, nameOf(view_), nameOf(split_.view()));
-        drawProblems(scene_.problems(), size);
+        problems(size);
         if (timeline_.duration > 0 && drawTimeline(timeline_, size))
             showMoment(Latencies::Kind::kPlay);
         if (helpShown_) drawHelp(commands, size);
@@ -208,6 +241,18 @@ class Viewer {
         drawMessage(message_, size);
         if (secondsSince(messageAt_) > kMessageSeconds) {
             message_.clear();
+            settling_ = kSettlingFrames;
+        }
+    }
+
+    void problems(glm::vec2 size) {
+        if (scene_.problems().hasErrors())
+            return drawProblems(scene_.problems(),
+                                "The last good picture stays until the file is mended.", size);
+        if (!refusal_.hasErrors()) return;
+        drawProblems(refusal_, "The scene stays as it is.", size);
+        if (secondsSince(refusedAt_) > kRefusalSeconds) {
+            refusal_ = {};
             settling_ = kSettlingFrames;
         }
     }
@@ -383,8 +428,10 @@ class Viewer {
     Panel panel_;
     Selection selection_;
     View view_ = View::kColor;
+    Diagnostics refusal_;        ///< why the file that was dropped is not shown
+    std::string droppedBefore_;  ///< and not opened, for the sake of edits
     std::string message_;
-    Clock::time_point messageAt_{}, before_ = Clock::now(), lastMove_{}, lastLook_{};
+    Clock::time_point messageAt_{}, refusedAt_{}, before_ = Clock::now(), lastMove_{}, lastLook_{};
     int settling_ = kSettlingFrames;
     bool panelShown_ = true, helpShown_ = false, pictureWanted_ = false;
 };
