@@ -67,6 +67,24 @@ void drawProblems(const Diagnostics& problems, const char* outlook, glm::vec2 pi
     ImGui::PopStyleColor();
 }
 
+void drawFacts(const Facts& facts, glm::vec2 pictureSize) {
+    if (facts.empty()) return;
+    ImGui::SetNextWindowPos({8, pictureSize.y - 48}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    ImGui::Begin("Under the cursor", nullptr,
+                 kLabel | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const auto& [name, value] : facts) {
+            ImGui::TableNextColumn();
+            ImGui::TextDisabled("%s", name.c_str());
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(value.c_str());
+        }
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
 void drawMessage(const std::string& text, glm::vec2 pictureSize) {
     ImGui::SetNextWindowPos({pictureSize.x / 2, pictureSize.y - 48}, ImGuiCond_Always, {0.5f, 1});
     ImGui::SetNextWindowBgAlpha(0.8f);

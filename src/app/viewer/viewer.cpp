@@ -11,8 +11,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "app/viewer/commands.hpp"
+#include "app/viewer/inspect.hpp"
 #include "app/viewer/latencies.hpp"
 #include "app/viewer/open_scene.hpp"
 #include "app/viewer/overlay.hpp"
@@ -105,6 +107,7 @@ class Viewer {
         click();
         if (timeline_.advance(elapsed)) showMoment(Latencies::Kind::kPlay);
         follow();
+        inspectCursor();
         if (!busy && settling_ == 0) return window_->skip();
         draw();
         latencies_.add(kind_, secondsSince(before_));
@@ -192,9 +195,9 @@ class Viewer {
 
     void showMoment(Latencies::Kind why) {
         try {
-            const PackedMoment moment = scene_.moment(timeline_.time);
-            if (!stage_.empty()) stage_.update(moment);
-            split_.update(moment);
+            moment_ = scene_.moment(timeline_.time);
+            if (!stage_.empty()) stage_.update(moment_);
+            split_.update(moment_);
             const std::vector<Camera>& cameras = scene_.posed().cameras;
             pilot_.follow(cameras[std::min(camera_, cameras.size() - 1)],
                           why != Latencies::Kind::kPlay);
@@ -207,6 +210,7 @@ class Viewer {
     /// Something is not as it was in the picture.
     void touch(Latencies::Kind why) {
         lastMove_ = Clock::now();
+        inspected_.reset();
         note(why);
     }
     void note(Latencies::Kind why) { kind_ = std::max(kind_, why); }
@@ -236,6 +240,7 @@ class Viewer {
         problems(size);
         if (timeline_.duration > 0 && drawTimeline(timeline_, size))
             showMoment(Latencies::Kind::kPlay);
+        if (inspectorShown_) drawFacts(facts_, size);
         if (helpShown_) drawHelp(commands, size);
         if (message_.empty()) return;
         drawMessage(message_, size);
@@ -291,6 +296,12 @@ class Viewer {
              [this] { window_->setFullScreen(false); }},
             {"View", "Panel", "Tab", kKeyTab, false, false, [this] { panelShown_ = !panelShown_; },
              panelShown_},
+            {"View", "What is under the cursor", "I", 'I', false, false,
+             [this] {
+                 inspectorShown_ = !inspectorShown_;
+                 inspected_.reset();
+             },
+             inspectorShown_},
             {"View", "Keys", "H", 'H', false, false, [this] { helpShown_ = !helpShown_; },
              helpShown_},
             {"Move", "Fly to what is under the cursor", "F", 'F', false, false,
@@ -363,8 +374,8 @@ class Viewer {
         if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left) || !still) return;
         selection_ = {-1, false};
         const glm::uvec4 hit = pick();
-        if (!record::isSurface(hit)) return;
-        const std::string& name = scene_.loaded().packed.instances[hit.x].name;
+        if (!record::isSurface(hit) || hit.x >= moment_.instances.size()) return;
+        const std::string& name = moment_.instances[hit.x].name;
         const std::vector<Node>& nodes = scene_.loaded().scene.nodes;
         for (size_t i = 0; i < nodes.size(); ++i)
             if (nodes[i].name == name) selection_ = {static_cast<int>(i), true};
@@ -376,15 +387,31 @@ class Viewer {
         return stage_.pick(glm::ivec2(mouse.x, mouse.y));
     }
 
+    [[nodiscard]] glm::vec3 cursorDirection() const {
+        const glm::vec2 size = pictureSize();
+        return directionThrough(pilot_.camera, Pilot::cursor(size), pilot_.viewHeight(size));
+    }
+
+    /// Looks when the cursor or the picture is another, and then only at a picture that rests.
+    void inspectCursor() {
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        const glm::ivec2 pixel(mouse.x, mouse.y);
+        if (!inspectorShown_ || moving() || inspected_ == pixel) return;
+        if (ImGui::GetIO().WantCaptureMouse || !ImGui::IsMousePosValid()) return;
+        inspected_ = pixel;
+        facts_ =
+            inspect(scene_.loaded().packed, moment_, pick(), pilot_.camera.eye, cursorDirection());
+        facts_.emplace(facts_.begin(), "pixel", fmt::format("{}  {}", pixel.x, pixel.y));
+        settling_ = kSettlingFrames;
+    }
+
     void flyToCursor() {
         if (ImGui::GetIO().WantCaptureMouse) return;
         const glm::uvec4 hit = pick();
         if (!record::isSurface(hit)) return;
         const float distance = record::recordDistance(hit);
         const float height = pilot_.viewHeight(pictureSize());
-        const glm::vec3 point =
-            pilot_.camera.eye +
-            distance * directionThrough(pilot_.camera, Pilot::cursor(pictureSize()), height);
+        const glm::vec3 point = pilot_.camera.eye + distance * cursorDirection();
         // A third of the way remains: near enough to see it, far enough to see where it is.
         const float radius = 0.1f * distance * height;
         pilot_.flyTo(lookingAt(pilot_.camera, point, radius, height), kFlightSeconds);
@@ -425,6 +452,9 @@ class Viewer {
     Pilot pilot_;
     size_t camera_ = 0;  ///< in Scene::cameras: the one that the pilot has taken
     Timeline timeline_;
+    PackedMoment moment_;                  ///< what the stage shows
+    std::optional<glm::ivec2> inspected_;  ///< the pixel that the facts are of
+    Facts facts_;
     Panel panel_;
     Selection selection_;
     View view_ = View::kColor;
@@ -433,7 +463,7 @@ class Viewer {
     std::string message_;
     Clock::time_point messageAt_{}, refusedAt_{}, before_ = Clock::now(), lastMove_{}, lastLook_{};
     int settling_ = kSettlingFrames;
-    bool panelShown_ = true, helpShown_ = false, pictureWanted_ = false;
+    bool panelShown_ = true, helpShown_ = false, inspectorShown_ = false, pictureWanted_ = false;
 };
 
 }  // namespace
