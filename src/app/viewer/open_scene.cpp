@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
+#include "app/session/bare_file.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "import/import_models.hpp"
@@ -23,6 +25,10 @@ bool isScene(const std::string& file) {
 }
 
 }  // namespace
+
+bool canOpen(const std::string& file) {
+    return isScene(file) || isBareFile(file);
+}
 
 bool changesOnlyNumbers(const std::vector<std::string>& before,
                         const std::vector<std::string>& after) {
@@ -96,6 +102,23 @@ bool OpenScene::takeNumbers() {
     }
     problems_ = diagnostics;
     return false;
+}
+
+Diagnostics OpenScene::open(std::string file) {
+    Diagnostics problems;
+    if (!canOpen(file)) {
+        problems.error({file}, "not a file that can be shown: .toml, .glb, .gltf, .obj, .sdf.glsl");
+        return problems;
+    }
+    const auto before =
+        std::tuple(file_, given_, edits, watch_, files_, problems_, editsTaken_, taken_);
+    file_ = std::move(file);
+    given_.clear();
+    edits.clear();
+    if (load()) return problems;
+    problems = std::move(problems_);
+    std::tie(file_, given_, edits, watch_, files_, problems_, editsTaken_, taken_) = before;
+    return problems;
 }
 
 OpenScene::Change OpenScene::follow(bool files) {

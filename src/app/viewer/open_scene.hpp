@@ -28,6 +28,10 @@ class OpenScene {
     /// outlives this.
     OpenScene(const Context& context, std::string file, std::vector<std::string> overrides);
 
+    /// Shows another file from now on, without edits and without the command line's assignments.
+    /// Returns what is wrong if it cannot be read; then all stays as it was.
+    [[nodiscard]] Diagnostics open(std::string file);
+
     /// Looks at the edits, and at the files if `files`.
     Change follow(bool files);
 
@@ -69,6 +73,9 @@ class OpenScene {
     int editsTaken_ = 0;
     std::vector<std::string> taken_;  ///< assignments in `loaded_`
 };
+
+/// Whether a file is a scene, a model or a field, by its name.
+bool canOpen(const std::string& file);
 
 /// Whether these assignments change numbers only, so that nothing has to be read or built again.
 bool changesOnlyNumbers(const std::vector<std::string>& before,

@@ -44,7 +44,7 @@ std::string sourceLine(const std::string& file, int line) {
     }
 }
 
-void drawProblems(const Diagnostics& problems, glm::vec2 pictureSize) {
+void drawProblems(const Diagnostics& problems, const char* outlook, glm::vec2 pictureSize) {
     if (!problems.hasErrors()) return;
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.32f, 0.05f, 0.05f, 0.92f));
     ImGui::SetNextWindowPos({0, 0});
@@ -61,10 +61,28 @@ void drawProblems(const Diagnostics& problems, glm::vec2 pictureSize) {
             ImGui::TextColored(ImVec4(1, 0.85f, 0.6f, 1), "%5d | %s", problem.where.line,
                                line.c_str());
     }
-    ImGui::TextDisabled("The last good picture stays until the file is mended.");
+    ImGui::TextDisabled("%s", outlook);
     ImGui::PopTextWrapPos();
     ImGui::End();
     ImGui::PopStyleColor();
+}
+
+void drawFacts(const Facts& facts, glm::vec2 pictureSize) {
+    if (facts.empty()) return;
+    ImGui::SetNextWindowPos({8, pictureSize.y - 48}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    ImGui::Begin("Under the cursor", nullptr,
+                 kLabel | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const auto& [name, value] : facts) {
+            ImGui::TableNextColumn();
+            ImGui::TextDisabled("%s", name.c_str());
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(value.c_str());
+        }
+        ImGui::EndTable();
+    }
+    ImGui::End();
 }
 
 void drawMessage(const std::string& text, glm::vec2 pictureSize) {

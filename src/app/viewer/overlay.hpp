@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "app/viewer/inspect.hpp"
 #include "base/error.hpp"
 #include "base/math.hpp"
 
@@ -19,8 +20,10 @@ struct Timeline {
     bool advance(float elapsed);
 };
 
-/// Each mistake with its place and the line of the file that it is in.
-void drawProblems(const Diagnostics& problems, glm::vec2 pictureSize);
+/// Each mistake with its place and the line of the file that it is in, and what becomes of them.
+void drawProblems(const Diagnostics& problems, const char* outlook, glm::vec2 pictureSize);
+/// In the lower left corner.
+void drawFacts(const Facts& facts, glm::vec2 pictureSize);
 void drawMessage(const std::string& text, glm::vec2 pictureSize);
 /// Returns whether a hand has changed the time.
 bool drawTimeline(Timeline& timeline, glm::vec2 pictureSize);

@@ -11,8 +11,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "app/viewer/commands.hpp"
+#include "app/viewer/inspect.hpp"
 #include "app/viewer/latencies.hpp"
 #include "app/viewer/open_scene.hpp"
 #include "app/viewer/overlay.hpp"
@@ -34,6 +36,7 @@ constexpr double kBudget = 0.070;      // s for a frame while something moves
 constexpr double kRestSeconds = 0.15;  // of quiet until the fine picture begins
 constexpr double kWatchSeconds = 0.1;  // between looks at the files
 constexpr double kMessageSeconds = 4;
+constexpr double kRefusalSeconds = 10;
 constexpr float kFlightSeconds = 0.7f;
 // The interface answers an event, and learns the size of a new text, within so many frames.
 constexpr int kSettlingFrames = 3;
@@ -44,9 +47,13 @@ double secondsSince(Clock::time_point then) {
     return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
+std::string titleFor(const std::string& file) {
+    return file + " - Vitrine";
+}
+
 /// With something to read while the scene is being read.
 std::unique_ptr<Window> openWindow(const ViewOptions& options) {
-    auto window = Window::open(options.width, options.height, options.file + " - Vitrine");
+    auto window = Window::open(options.width, options.height, titleFor(options.file));
     for (int i = 0; i < 2; ++i) {  // ImGui learns the size of a text when it draws it first
         window->begin(0);
         window->clear();
@@ -91,6 +98,7 @@ class Viewer {
         const auto elapsed = static_cast<float>(secondsSince(before_));
         before_ = Clock::now();
         kind_ = Latencies::Kind::kRefine;
+        takeDrop();
         const std::vector<Command> commands = listCommands();
         interface(commands);
         const std::vector<KeyPress> presses = window_->takeKeyPresses();
@@ -99,6 +107,7 @@ class Viewer {
         click();
         if (timeline_.advance(elapsed)) showMoment(Latencies::Kind::kPlay);
         follow();
+        inspectCursor();
         if (!busy && settling_ == 0) return window_->skip();
         draw();
         latencies_.add(kind_, secondsSince(before_));
@@ -146,6 +155,33 @@ class Viewer {
             settling_ = kSettlingFrames;
     }
 
+    /// Opens the first of the files that were dropped on the window.
+    void takeDrop() {
+        const std::vector<std::string> files = window_->takeDroppedFiles();
+        if (files.empty()) return;
+        const std::string& file = files.front();
+        refusedAt_ = Clock::now();
+        // What has been changed by hand is lost only to who drops the file twice.
+        if (!scene_.edits.empty() && droppedBefore_ != file) {
+            droppedBefore_ = file;
+            refusal_ = {};
+            refusal_.error({scene_.file()},
+                           "has changes that are not saved: drop the file again to lose them");
+            return;
+        }
+        droppedBefore_.clear();
+        refusal_ = scene_.open(file);
+        if (refusal_.hasErrors()) return;
+        window_->setTitle(titleFor(file));
+        selection_ = {};
+        timeline_ = {};
+        camera_ = 0;
+        pilot_.take(scene_.loaded().scene.cameras.front(), 0);
+        showAll();
+        say(files.size() == 1 ? "opened " + file
+                              : fmt::format("opened {}, the first of {}", file, files.size()));
+    }
+
     void showAll() {
         try {
             stage_.setScene(scene_.loaded(), showsCounters(view_));
@@ -159,9 +195,9 @@ class Viewer {
 
     void showMoment(Latencies::Kind why) {
         try {
-            const PackedMoment moment = scene_.moment(timeline_.time);
-            if (!stage_.empty()) stage_.update(moment);
-            split_.update(moment);
+            moment_ = scene_.moment(timeline_.time);
+            if (!stage_.empty()) stage_.update(moment_);
+            split_.update(moment_);
             const std::vector<Camera>& cameras = scene_.posed().cameras;
             pilot_.follow(cameras[std::min(camera_, cameras.size() - 1)],
                           why != Latencies::Kind::kPlay);
@@ -174,6 +210,7 @@ class Viewer {
     /// Something is not as it was in the picture.
     void touch(Latencies::Kind why) {
         lastMove_ = Clock::now();
+        inspected_.reset();
         note(why);
     }
     void note(Latencies::Kind why) { kind_ = std::max(kind_, why); }
@@ -200,14 +237,27 @@ class Viewer {
         const glm::vec2 size = pictureSize();
         if (panelShown_) panel(commands, size);
         split_.drawLine(size, nameOf(view_), nameOf(split_.view()));
-        drawProblems(scene_.problems(), size);
+        problems(size);
         if (timeline_.duration > 0 && drawTimeline(timeline_, size))
             showMoment(Latencies::Kind::kPlay);
+        if (inspectorShown_) drawFacts(facts_, size);
         if (helpShown_) drawHelp(commands, size);
         if (message_.empty()) return;
         drawMessage(message_, size);
         if (secondsSince(messageAt_) > kMessageSeconds) {
             message_.clear();
+            settling_ = kSettlingFrames;
+        }
+    }
+
+    void problems(glm::vec2 size) {
+        if (scene_.problems().hasErrors())
+            return drawProblems(scene_.problems(),
+                                "The last good picture stays until the file is mended.", size);
+        if (!refusal_.hasErrors()) return;
+        drawProblems(refusal_, "The scene stays as it is.", size);
+        if (secondsSince(refusedAt_) > kRefusalSeconds) {
+            refusal_ = {};
             settling_ = kSettlingFrames;
         }
     }
@@ -246,6 +296,12 @@ class Viewer {
              [this] { window_->setFullScreen(false); }},
             {"View", "Panel", "Tab", kKeyTab, false, false, [this] { panelShown_ = !panelShown_; },
              panelShown_},
+            {"View", "What is under the cursor", "I", 'I', false, false,
+             [this] {
+                 inspectorShown_ = !inspectorShown_;
+                 inspected_.reset();
+             },
+             inspectorShown_},
             {"View", "Keys", "H", 'H', false, false, [this] { helpShown_ = !helpShown_; },
              helpShown_},
             {"Move", "Fly to what is under the cursor", "F", 'F', false, false,
@@ -318,8 +374,8 @@ class Viewer {
         if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left) || !still) return;
         selection_ = {-1, false};
         const glm::uvec4 hit = pick();
-        if (!record::isSurface(hit)) return;
-        const std::string& name = scene_.loaded().packed.instances[hit.x].name;
+        if (!record::isSurface(hit) || hit.x >= moment_.instances.size()) return;
+        const std::string& name = moment_.instances[hit.x].name;
         const std::vector<Node>& nodes = scene_.loaded().scene.nodes;
         for (size_t i = 0; i < nodes.size(); ++i)
             if (nodes[i].name == name) selection_ = {static_cast<int>(i), true};
@@ -331,15 +387,31 @@ class Viewer {
         return stage_.pick(glm::ivec2(mouse.x, mouse.y));
     }
 
+    [[nodiscard]] glm::vec3 cursorDirection() const {
+        const glm::vec2 size = pictureSize();
+        return directionThrough(pilot_.camera, Pilot::cursor(size), pilot_.viewHeight(size));
+    }
+
+    /// Looks when the cursor or the picture is another, and then only at a picture that rests.
+    void inspectCursor() {
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        const glm::ivec2 pixel(mouse.x, mouse.y);
+        if (!inspectorShown_ || moving() || inspected_ == pixel) return;
+        if (ImGui::GetIO().WantCaptureMouse || !ImGui::IsMousePosValid()) return;
+        inspected_ = pixel;
+        facts_ =
+            inspect(scene_.loaded().packed, moment_, pick(), pilot_.camera.eye, cursorDirection());
+        facts_.emplace(facts_.begin(), "pixel", fmt::format("{}  {}", pixel.x, pixel.y));
+        settling_ = kSettlingFrames;
+    }
+
     void flyToCursor() {
         if (ImGui::GetIO().WantCaptureMouse) return;
         const glm::uvec4 hit = pick();
         if (!record::isSurface(hit)) return;
         const float distance = record::recordDistance(hit);
         const float height = pilot_.viewHeight(pictureSize());
-        const glm::vec3 point =
-            pilot_.camera.eye +
-            distance * directionThrough(pilot_.camera, Pilot::cursor(pictureSize()), height);
+        const glm::vec3 point = pilot_.camera.eye + distance * cursorDirection();
         // A third of the way remains: near enough to see it, far enough to see where it is.
         const float radius = 0.1f * distance * height;
         pilot_.flyTo(lookingAt(pilot_.camera, point, radius, height), kFlightSeconds);
@@ -380,13 +452,18 @@ class Viewer {
     Pilot pilot_;
     size_t camera_ = 0;  ///< in Scene::cameras: the one that the pilot has taken
     Timeline timeline_;
+    PackedMoment moment_;                  ///< what the stage shows
+    std::optional<glm::ivec2> inspected_;  ///< the pixel that the facts are of
+    Facts facts_;
     Panel panel_;
     Selection selection_;
     View view_ = View::kColor;
+    Diagnostics refusal_;        ///< why the file that was dropped is not shown
+    std::string droppedBefore_;  ///< and not opened, for the sake of edits
     std::string message_;
-    Clock::time_point messageAt_{}, before_ = Clock::now(), lastMove_{}, lastLook_{};
+    Clock::time_point messageAt_{}, refusedAt_{}, before_ = Clock::now(), lastMove_{}, lastLook_{};
     int settling_ = kSettlingFrames;
-    bool panelShown_ = true, helpShown_ = false, pictureWanted_ = false;
+    bool panelShown_ = true, helpShown_ = false, inspectorShown_ = false, pictureWanted_ = false;
 };
 
 }  // namespace
