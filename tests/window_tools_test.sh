@@ -14,19 +14,21 @@ becomes_other() { part "$1" "$2" now.png && ! same "$3" now.png; }
 
 # ---- what is under the cursor ----
 xdotool mousemove 98 237
+shoot # only when the picture is finished does nothing else change
 sleep 0.5
 part 0 250 empty.png
 xdotool key i
-soon 10 becomes_other 0 250 empty.png
+soon 40 becomes_other 0 250 empty.png
+shoot
 sleep 0.5
 part 0 250 crate.png
 screen inspector
 xdotool mousemove 280 225
-soon 10 becomes_other 0 250 crate.png
+soon 40 becomes_other 0 250 crate.png
 xdotool mousemove 98 237
-soon 10 becomes 0 250 crate.png
+soon 40 becomes 0 250 crate.png
 xdotool key i
-soon 10 becomes 0 250 empty.png
+soon 40 becomes 0 250 empty.png
 
 close_window
 echo passed

@@ -62,8 +62,9 @@ class Importer {
 
     /// The camera that a scene without any is given is not needed beside a model's.
     void dropDefaultCamera() {
+        if (scene_.cameras.size() < 2) return;  // none in a scene with mistakes
         const Camera& first = scene_.cameras.front();
-        if (scene_.cameras.size() > 1 && first.where.file.empty() && first.name == "default")
+        if (first.where.file.empty() && first.name == "default")
             scene_.cameras.erase(scene_.cameras.begin());
     }
 
