@@ -7,24 +7,13 @@
 #include <vector>
 
 #include "base/math.hpp"
+#include "gpu/bindings.hpp"
 #include "gpu/context.hpp"
 
 namespace vitrine {
 namespace {
 
 constexpr GLsizei kStripVertices = 14;  // of a cube
-
-void bindInputs(const Program& program, const RasterImages& images) {
-    const auto bind = [&](const std::string& name, GLenum target, unsigned id) {
-        const int unit = program.unit(name);
-        if (unit < 0) return;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(target, id);
-    };
-    for (const auto& [name, buffer] : images.buffers) bind(name, GL_TEXTURE_BUFFER, buffer->id());
-    for (const auto& [name, array] : images.arrays) bind(name, GL_TEXTURE_2D_ARRAY, array->id());
-    glActiveTexture(GL_TEXTURE0);
-}
 
 /// How many boxes the program takes at once.
 size_t batchSize(const Program& program) {
@@ -70,9 +59,9 @@ BoxRunner::~BoxRunner() {
 void BoxRunner::run(const Program& program, const UniformBlock& block, const RasterImages& images,
                     BoxTarget target, uint32_t clearTo, std::span<const BoxDraw> draws,
                     PixelRows rows) {
-    glUseProgram(program.id());
-    glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, block.id());
-    bindInputs(program, images);
+    useProgram(program, block);
+    bindInputs(program, images.buffers);
+    bindInputs(program, images.arrays);
     const Texture& output = *images.output.second;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, output.id(), 0);

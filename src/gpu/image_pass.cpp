@@ -42,33 +42,11 @@ PassRunner::~PassRunner() {
 void PassRunner::run(const Program& program, const UniformBlock& block, const PassImages& images,
                      PixelRows rows) {
     assert(!images.outputs.empty());
-    glUseProgram(program.id());
-    glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, block.id());
-    for (const auto& [name, texture] : images.inputs) {
-        const int unit = program.unit(name);
-        if (unit < 0) continue;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(GL_TEXTURE_2D, texture->id());
-    }
-    for (const auto& [name, buffer] : images.buffers) {
-        const int unit = program.unit(name);
-        if (unit < 0) continue;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(GL_TEXTURE_BUFFER, buffer->id());
-    }
-    for (const auto& [name, array] : images.arrays) {
-        const int unit = program.unit(name);
-        if (unit < 0) continue;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(GL_TEXTURE_2D_ARRAY, array->id());
-    }
-    for (const auto& [name, picture] : images.pictures) {
-        const int unit = program.unit(name);
-        if (unit < 0) continue;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(GL_TEXTURE_2D, picture->id());
-    }
-    glActiveTexture(GL_TEXTURE0);
+    useProgram(program, block);
+    bindInputs(program, images.inputs);
+    bindInputs(program, images.buffers);
+    bindInputs(program, images.arrays);
+    bindInputs(program, images.pictures);
     program.isCompute() ? dispatch(program, images) : draw(program, images, rows);
     checkGl("running a pass");
 }

@@ -7,19 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "gpu/mip_texture.hpp"
-#include "gpu/program.hpp"
-#include "gpu/texture.hpp"
+#include "gpu/bindings.hpp"
 
 namespace vitrine {
 
 struct PassImages {
-    std::vector<std::pair<std::string, const Texture*>> inputs;
-    std::vector<std::pair<std::string, const TexelBuffer*>> buffers;
+    Named<Texture> inputs;
+    Named<TexelBuffer> buffers;
     /// All of one size; that size is what is drawn.
-    std::vector<std::pair<std::string, const Texture*>> outputs;
-    std::vector<std::pair<std::string, const TextureArray*>> arrays = {};
-    std::vector<std::pair<std::string, const MipTexture*>> pictures = {};
+    Named<Texture> outputs;
+    Named<TextureArray> arrays = {};
+    Named<MipTexture> pictures = {};
 };
 
 /// Rows of an image from the bottom, `end` not included; to the top if there are fewer.

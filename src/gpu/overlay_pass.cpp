@@ -5,6 +5,7 @@
 
 #include <cassert>
 
+#include "gpu/bindings.hpp"
 #include "gpu/context.hpp"
 
 namespace vitrine {
@@ -22,17 +23,9 @@ OverlayRunner::~OverlayRunner() {
 void OverlayRunner::run(const Program& program, const UniformBlock& block, const PassImages& images,
                         int vertices) {
     assert(images.outputs.size() == 1);
-    glUseProgram(program.id());
-    glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, block.id());
-    const auto bind = [&](const std::string& name, GLenum target, unsigned id) {
-        const int unit = program.unit(name);
-        if (unit < 0) return;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(target, id);
-    };
-    for (const auto& [name, texture] : images.inputs) bind(name, GL_TEXTURE_2D, texture->id());
-    for (const auto& [name, buffer] : images.buffers) bind(name, GL_TEXTURE_BUFFER, buffer->id());
-    glActiveTexture(GL_TEXTURE0);
+    useProgram(program, block);
+    bindInputs(program, images.inputs);
+    bindInputs(program, images.buffers);
 
     const Texture& target = *images.outputs[0].second;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);

@@ -30,21 +30,9 @@ void RasterRunner::setIndices(std::span<const uint32_t> indices) {
 void RasterRunner::run(const Program& program, const UniformBlock& block,
                        const RasterImages& images, uint32_t clearTo,
                        std::span<const RasterDraw> draws) {
-    glUseProgram(program.id());
-    glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, block.id());
-    for (const auto& [name, buffer] : images.buffers) {
-        const int unit = program.unit(name);
-        if (unit < 0) continue;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(GL_TEXTURE_BUFFER, buffer->id());
-    }
-    for (const auto& [name, array] : images.arrays) {
-        const int unit = program.unit(name);
-        if (unit < 0) continue;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(GL_TEXTURE_2D_ARRAY, array->id());
-    }
-    glActiveTexture(GL_TEXTURE0);
+    useProgram(program, block);
+    bindInputs(program, images.buffers);
+    bindInputs(program, images.arrays);
 
     const Texture& target = *images.output.second;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);

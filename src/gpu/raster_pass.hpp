@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "base/math.hpp"
-#include "gpu/program.hpp"
-#include "gpu/texture.hpp"
+#include "gpu/bindings.hpp"
 
 namespace vitrine {
 
@@ -31,9 +30,9 @@ struct RasterDraw {
 };
 
 struct RasterImages {
-    std::vector<std::pair<std::string, const TexelBuffer*>> buffers;
+    Named<TexelBuffer> buffers;
     std::pair<std::string, const Texture*> output;
-    std::vector<std::pair<std::string, const TextureArray*>> arrays;
+    Named<TextureArray> arrays;
     const DepthImage* depth = nullptr;
 };
 
