@@ -169,8 +169,8 @@ void Window::setFullScreen(bool full) {
 }
 
 void Window::begin(double seconds) {
-    hadEvents_ = false;
-    if (seconds > 0)
+    hadEvents_ = std::exchange(woken_, false);
+    if (seconds > 0 && !hadEvents_)
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();

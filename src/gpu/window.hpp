@@ -63,6 +63,8 @@ class Window {
     void begin(double seconds);
     /// Whether anything came in with the last begin(): then the interface must be drawn.
     [[nodiscard]] bool hadEvents() const { return hadEvents_; }
+    /// The next begin() does as if something had happened.
+    void wake() { woken_ = true; }
     /// Draws the interface, shows everything, ends the frame.
     void end();
     /// Ends the frame without drawing: the window stays as it is.
@@ -90,7 +92,7 @@ class Window {
     unsigned framebuffer_ = 0;
     int width_ = 0, height_ = 0;
     float scale_ = 1;
-    bool hadEvents_ = true;
+    bool hadEvents_ = true, woken_ = true;
     PixelRectangle windowed_;
     std::vector<KeyPress> pressed_;
     std::vector<std::string> dropped_;

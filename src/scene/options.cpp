@@ -61,6 +61,10 @@ const OptionTable<RenderSettings>& renderOptions() {
         {"sss_all", &R::sssAll, kUnit, "every material has at least this much subsurface"},
         {"march_steps", &R::marchSteps, {8, 4096}, "most steps of one ray through one field"},
         {"seed", &R::seed, {0, 2147483647}, "start of the random numbers (`--seed` wins)"},
+        {"budget_ms",
+         &R::budgetMilliseconds,
+         {5, 1000},
+         "in the window, while something moves: what a frame may take, ms; resolution follows"},
     };
     return table;
 }

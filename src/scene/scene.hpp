@@ -63,6 +63,7 @@ struct RenderSettings {
     float sssAll = 0;  ///< least subsurface of every material
     int marchSteps = 1024;
     int seed = 0;
+    float budgetMilliseconds = 70;  ///< a frame, in a window while something moves
 };
 
 enum class TreeBuilder { kNine, kBinned, kSpatial };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -51,14 +52,15 @@ void runKeys(const std::vector<Command>& commands, const std::vector<KeyPress>& 
 
 void drawMenus(const std::vector<Command>& commands) {
     if (!ImGui::BeginMenuBar()) return;
-    for (size_t i = 0; i < commands.size();) {
-        const std::string& menu = commands[i].menu;
-        const bool open = ImGui::BeginMenu(menu.c_str());
-        for (; i < commands.size() && commands[i].menu == menu; ++i) {
-            const Command& c = commands[i];
-            if (open && ImGui::MenuItem(c.name.c_str(), c.keys.c_str(), c.chosen)) c.run();
-        }
-        if (open) ImGui::EndMenu();
+    std::vector<std::string> menus;
+    for (const Command& c : commands)
+        if (std::find(menus.begin(), menus.end(), c.menu) == menus.end()) menus.push_back(c.menu);
+    for (const std::string& menu : menus) {
+        if (!ImGui::BeginMenu(menu.c_str())) continue;
+        for (const Command& c : commands)
+            if (c.menu == menu && ImGui::MenuItem(c.name.c_str(), c.keys.c_str(), c.chosen))
+                c.run();
+        ImGui::EndMenu();
     }
     ImGui::EndMenuBar();
 }

@@ -22,7 +22,7 @@ struct Command {
 
 /// Runs the commands of these keys.
 void runKeys(const std::vector<Command>& commands, const std::vector<KeyPress>& presses);
-/// The menu bar of the current ImGui window.
+/// The menu bar of the current ImGui window: menus, and entries in them, in the order of the list.
 void drawMenus(const std::vector<Command>& commands);
 /// A list of all keys over the picture, of this size in ImGui units.
 void drawHelp(const std::vector<Command>& commands, glm::vec2 pictureSize);

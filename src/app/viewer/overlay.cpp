@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <cmath>
 #include <sstream>
 
 #include "base/file.hpp"
@@ -18,19 +17,6 @@ constexpr ImGuiWindowFlags kLabel = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
                                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
 }  // namespace
-
-bool Timeline::advance(float elapsed) {
-    if (!playing) return false;
-    time += elapsed;
-    if (duration <= 0 || time < duration) return true;
-    if (loop) {
-        time = std::fmod(time, duration);
-    } else {
-        time = duration;
-        playing = false;
-    }
-    return true;
-}
 
 std::string sourceLine(const std::string& file, int line) {
     try {

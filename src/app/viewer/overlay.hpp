@@ -5,20 +5,11 @@
 #include <string>
 
 #include "app/viewer/inspect.hpp"
+#include "app/viewer/timeline.hpp"
 #include "base/error.hpp"
 #include "base/math.hpp"
 
 namespace vitrine {
-
-/// Time as it plays.
-struct Timeline {
-    float time = 0;      ///< s
-    float duration = 0;  ///< s; 0: the scene has no animations and time is of snippets only
-    bool playing = false, loop = true;
-
-    /// Goes on by `elapsed` seconds; returns whether the time has changed.
-    bool advance(float elapsed);
-};
 
 /// Each mistake with its place and the line of the file that it is in, and what becomes of them.
 void drawProblems(const Diagnostics& problems, const char* outlook, glm::vec2 pictureSize);

@@ -5,17 +5,11 @@
 
 #include <string>
 
-#include "app/viewer/edits.hpp"
+#include "app/viewer/scene_view.hpp"
 #include "pack/assets.hpp"
 #include "scene/scene.hpp"
 
 namespace vitrine {
-
-/// What is chosen in the picture or the tree: a node, by its place in Scene::nodes.
-struct Selection {
-    int node = -1;
-    bool justMade = false;  ///< the panel scrolls to it once
-};
 
 class Panel {
   public:

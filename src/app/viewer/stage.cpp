@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "frame/check_snippets.hpp"
 
@@ -74,6 +75,8 @@ void Stage::begin(Frame& frame, const Wish& wish) {
     request.seed = wish.seed;
     request.view = wish.view;
     request.quick = wish.moving;
+    request.timing = measures_;
+    passSums_.clear();
     frame.begin(request);
     samplesDrawn_ = 0;
     begun_ = true;
@@ -97,9 +100,23 @@ void Stage::draw(const Wish& wish, double budgetSeconds) {
         finished_ = samplesDrawn_ >= samples;
         picture_ = &frame_->display();
         finishGpu();
+        if (measures_) {
+            const PassSeconds sums = frame_->statistics().secondsByPass;
+            passSeconds_ = difference(sums, passSums_);
+            passSums_ = sums;
+        }
     }
     lastSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (wish.moving) pace_.took(lastSeconds_, budgetSeconds);
+}
+
+void Stage::measure(bool wanted) {
+    if (measures_ != wanted) begun_ = finished_ = false;
+    measures_ = wanted;
+}
+
+std::optional<PassSeconds> Stage::takePassSeconds() {
+    return std::exchange(passSeconds_, {});
 }
 
 glm::uvec4 Stage::pick(glm::ivec2 pixel) {

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "app/session/session.hpp"
 #include "app/viewer/pace.hpp"
+#include "app/viewer/pass_graph.hpp"
 
 namespace vitrine {
 
@@ -41,6 +43,10 @@ class Stage {
     [[nodiscard]] const Texture* picture() const { return picture_; }
     /// The picture's pixels, top row first. Only when finished.
     [[nodiscard]] ImageRgba8 image() { return frame_->picture(); }
+    /// Whether to measure the passes, which costs time.
+    void measure(bool wanted);
+    /// What the passes of the last whole sample took, once; nothing if none is new.
+    [[nodiscard]] std::optional<PassSeconds> takePassSeconds();
     [[nodiscard]] int samplesDrawn() const { return samplesDrawn_; }
     [[nodiscard]] float scale() const { return drawnScale_; }
     [[nodiscard]] double lastSeconds() const { return lastSeconds_; }
@@ -51,8 +57,10 @@ class Stage {
     std::unique_ptr<Frame> frame_;
     Pace pace_;
     Wish wish_;
-    bool begun_ = false, finished_ = false, counters_ = false;
+    bool begun_ = false, finished_ = false, counters_ = false, measures_ = false;
     const Texture* picture_ = nullptr;
+    PassSeconds passSums_;  ///< since begin()
+    std::optional<PassSeconds> passSeconds_;
     int samplesDrawn_ = 0;
     float drawnScale_ = 1;
     double lastSeconds_ = 0;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/playback.hpp"
+
+#include <algorithm>
+
+#include "app/viewer/overlay.hpp"
+
+namespace vitrine {
+namespace {
+
+constexpr float kFrame = 1.0f / 30;  // s
+
+}  // namespace
+
+void Playback::addCommands(std::vector<Command>& list) {
+    Timeline& timeline = view_.timeline;
+    if (timeline.duration <= 0) return;
+    list.push_back({"Time", "Play", "Space", ' ', false, false,
+                    [&timeline] { timeline.playing = !timeline.playing; }, timeline.playing});
+    list.push_back({"Time", "Loop", "L", 'L', false, false,
+                    [&timeline] { timeline.loop = !timeline.loop; }, timeline.loop});
+    list.push_back(
+        {"Time", "A frame back", "Left", kKeyLeft, false, false, [this] { step(-kFrame); }});
+    list.push_back(
+        {"Time", "A frame on", "Right", kKeyRight, false, false, [this] { step(kFrame); }});
+}
+
+void Playback::draw(glm::vec2 pictureSize) {
+    if (view_.timeline.duration > 0 && drawTimeline(view_.timeline, pictureSize)) view_.showTime();
+}
+
+void Playback::step(float seconds) {
+    Timeline& timeline = view_.timeline;
+    timeline.playing = false;
+    timeline.time = std::clamp(timeline.time + seconds, 0.0f, timeline.duration);
+    view_.showTime();
+}
+
+}  // namespace vitrine

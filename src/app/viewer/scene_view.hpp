@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The scene on show: the file that is open, the pictures of it, the camera in hand and the time.
+// Knows nothing of menus and messages.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "app/viewer/latencies.hpp"
+#include "app/viewer/open_scene.hpp"
+#include "app/viewer/pilot.hpp"
+#include "app/viewer/split.hpp"
+#include "app/viewer/stage.hpp"
+#include "app/viewer/timeline.hpp"
+#include "gpu/window.hpp"
+
+namespace vitrine {
+
+/// What is chosen in the picture or the tree: a node, by its place in Scene::nodes.
+struct Selection {
+    int node = -1;
+    bool justMade = false;  ///< the panel scrolls to it once
+};
+
+class SceneView {
+  public:
+    /// Shows `file` from the camera of this name ("": the first). Throws InputError if it cannot be
+    /// shown, UsageError if there is no such camera. The window outlives this.
+    SceneView(Window& window, const std::string& file, const std::string& camera,
+              const std::vector<std::string>& overrides);
+
+    /// Shows another file, from its first camera, with nothing selected. Returns why it cannot be
+    /// shown; then all stays as it was.
+    [[nodiscard]] Diagnostics open(const std::string& file);
+
+    /// Takes what has happened in `elapsed` seconds: hands on the camera, time, edits, files.
+    /// `pictureSize` in ImGui units, from the window's upper left.
+    void step(float elapsed, glm::vec2 pictureSize);
+    /// Draws a little more into pictures of so many pixels.
+    void draw(int width, int height);
+    /// Puts them into the window's lower left.
+    void show();
+    /// There is something to draw, or will be soon without anybody doing anything.
+    [[nodiscard]] bool busy() const;
+    /// More changes are expected at once: the picture is coarse.
+    [[nodiscard]] bool moving() const;
+    /// Nothing is left to draw for what is shown now.
+    [[nodiscard]] bool finished() const;
+
+    /// The hit record under the mouse, in the picture.
+    [[nodiscard]] glm::uvec4 pick();
+    /// The ray through the mouse: its unit direction.
+    [[nodiscard]] glm::vec3 cursorDirection() const;
+
+    void showView(View view);
+    void openSplit(View view);
+    /// Flies to a camera of the scene.
+    void takeCamera(size_t camera);
+    /// The timeline has been moved by hand.
+    void showTime() { showMoment(Latencies::Kind::kPlay); }
+
+    [[nodiscard]] View view() const { return view_; }
+    [[nodiscard]] glm::vec2 pictureSize() const { return pictureSize_; }
+    [[nodiscard]] float viewHeight() const { return pilot.viewHeight(pictureSize_); }
+    [[nodiscard]] const PackedMoment& moment() const { return moment_; }
+    [[nodiscard]] const Stage::Wish& wish() const { return wish_; }
+    /// Counts what has made the picture another one.
+    [[nodiscard]] int changes() const { return changes_; }
+    /// The weightiest that has happened since the last call.
+    Latencies::Kind takeKind();
+
+    OpenScene scene;
+    Stage stage;
+    Split split;
+    Pilot pilot;
+    Timeline timeline;
+    Selection selection;
+
+  private:
+    void follow();
+    void showAll();
+    void showMoment(Latencies::Kind why);
+    void touch(Latencies::Kind why);
+    void note(Latencies::Kind why) { kind_ = std::max(kind_, why); }
+
+    using Clock = std::chrono::steady_clock;
+    Window& window_;
+    size_t camera_ = 0;    ///< in Scene::cameras: the one that the pilot has taken
+    PackedMoment moment_;  ///< what the stage shows
+    View view_ = View::kColor;
+    Stage::Wish wish_;
+    glm::vec2 pictureSize_{1, 1};
+    Clock::time_point lastMove_{}, lastLook_{};
+    Latencies::Kind kind_ = Latencies::Kind::kRefine;
+    int changes_ = 0;
+};
+
+}  // namespace vitrine
