@@ -19,10 +19,12 @@ function(vitrine_layer name)
     list(TRANSFORM ARG_USES PREPEND vitrine_)
     target_link_libraries(vitrine_${name}
         PUBLIC ${ARG_USES} ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} vitrine_flags)
+    vitrine_precompile(vitrine_${name} vitrine_base "<base/math.hpp>")
 
     if(VITRINE_TESTS AND ARG_TESTS)
         add_executable(${name}_test ${ARG_TESTS})
         target_link_libraries(${name}_test PRIVATE vitrine_${name} vitrine_flags GTest::gtest_main)
+        vitrine_precompile(${name}_test base_test "<base/math.hpp>" "<gtest/gtest.h>")
         gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
             WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} PROPERTIES TIMEOUT 300)
     endif()

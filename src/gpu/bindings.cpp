@@ -7,7 +7,7 @@ namespace vitrine {
 namespace {
 
 template <typename Resource>
-void bind(const Program& program, const Named<Resource>& resources, GLenum target) {
+void bindEach(const Program& program, const Named<Resource>& resources, GLenum target) {
     for (const auto& [name, resource] : resources) {
         const int unit = program.unit(name);
         if (unit < 0) continue;
@@ -25,16 +25,16 @@ void useProgram(const Program& program, const UniformBlock& block) {
 }
 
 void bindInputs(const Program& program, const Named<Texture>& textures) {
-    bind(program, textures, GL_TEXTURE_2D);
+    bindEach(program, textures, GL_TEXTURE_2D);
 }
 void bindInputs(const Program& program, const Named<TexelBuffer>& buffers) {
-    bind(program, buffers, GL_TEXTURE_BUFFER);
+    bindEach(program, buffers, GL_TEXTURE_BUFFER);
 }
 void bindInputs(const Program& program, const Named<TextureArray>& arrays) {
-    bind(program, arrays, GL_TEXTURE_2D_ARRAY);
+    bindEach(program, arrays, GL_TEXTURE_2D_ARRAY);
 }
 void bindInputs(const Program& program, const Named<MipTexture>& pictures) {
-    bind(program, pictures, GL_TEXTURE_2D);
+    bindEach(program, pictures, GL_TEXTURE_2D);
 }
 
 }  // namespace vitrine
