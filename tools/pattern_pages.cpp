@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/text.hpp"
+#include "picture_studio.hpp"
 
 namespace vitrine {
 
@@ -103,43 +104,11 @@ std::string patternPictureField(const LibraryFunction& function) {
 }
 
 std::string patternPictureScene(const LibraryFunction& function) {
-    return fmt::format(R"([render]
-bounces = 0
-ao = 1.2
-[[camera]]
-eye = [2.0, 1.7, 3.3]
-target = [0, -0.06, 0]
-fov = 33
-[environment]
-zenith = [0.75, 0.80, 0.88]
-horizon = [0.80, 0.82, 0.85]
-ground = [0.55, 0.54, 0.52]
-intensity = 0.8
-[[light]]
-type = "sun"
-direction = [-0.75, -1.2, -0.55]
-color = [1.0, 0.95, 0.86]
-intensity = 2.6
-[material.shape]
-roughness = 0.5
-snippet = "{0}.mat.glsl"
-curvature_radius = 0.16
-[material.floor]
-base_color = "#e9e6df"
-roughness = 0.9
-[shape.shape]
-sdf = "{0}.sdf.glsl"
-[shape.floor]
-plane = {{ size = [60, 0, 60] }}
-[[node]]
-shape = "shape"
-material = "shape"
-[[node]]
-shape = "floor"
-material = "floor"
-at = [0, -1.0, 0]
-)",
-                       function.name);
+    return pictureStudio(
+        function.name, "eye = [2.0, 1.7, 3.3]\ntarget = [0, -0.06, 0]\nfov = 33",
+        fmt::format("roughness = 0.5\nsnippet = \"{}.mat.glsl\"\ncurvature_radius = 0.16",
+                    function.name),
+        -1.0);
 }
 
 }  // namespace vitrine

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "pattern_pages.hpp"
+#include "picture_studio.hpp"
 
 namespace vitrine {
 
@@ -165,42 +166,9 @@ std::string sdfPictureField(const LibraryFunction& function) {
 }
 
 std::string sdfPictureScene(const LibraryFunction& function) {
-    return fmt::format(R"([render]
-bounces = 0
-ao = 1.2
-[[camera]]
-eye = [1.9, 1.75, 3.6]
-target = [0, -0.1, 0]
-fov = 30
-[environment]
-zenith = [0.75, 0.80, 0.88]
-horizon = [0.80, 0.82, 0.85]
-ground = [0.55, 0.54, 0.52]
-intensity = 0.8
-[[light]]
-type = "sun"
-direction = [-0.75, -1.2, -0.55]
-color = [1.0, 0.95, 0.86]
-intensity = 2.6
-[material.shape]
-base_color = "{1}"
-roughness = 0.35
-[material.floor]
-base_color = "#e9e6df"
-roughness = 0.9
-[shape.shape]
-sdf = "{0}.sdf.glsl"
-[shape.floor]
-plane = {{ size = [60, 0, 60] }}
-[[node]]
-shape = "shape"
-material = "shape"
-[[node]]
-shape = "floor"
-material = "floor"
-at = [0, -1.2, 0]
-)",
-                       function.name, chapterOf(function).color);
+    return pictureStudio(
+        function.name, "eye = [1.9, 1.75, 3.6]\ntarget = [0, -0.1, 0]\nfov = 30",
+        fmt::format("base_color = \"{}\"\nroughness = 0.35", chapterOf(function).color), -1.2);
 }
 
 }  // namespace vitrine

@@ -113,6 +113,16 @@ TEST_F(ImportModels, EverythingHasItsPlaceAndName) {
     EXPECT_EQ(scene.lights[2].type, LightType::kPoint);
 }
 
+TEST_F(ImportModels, ASceneMayHaveLostItsCameras) {
+    Diagnostics diagnostics;
+    Scene scene = parseScene("[[camera]]\nfov = \"wide\"\n", "t", {}, diagnostics);
+    ASSERT_TRUE(diagnostics.hasErrors());
+    scene.cameras = std::vector<Camera>();
+    ModelLibrary library;
+    importModels(scene, library, diagnostics);
+    EXPECT_TRUE(scene.cameras.empty());
+}
+
 TEST_F(ImportModels, AModelIsReadOnceAndShared) {
     const Scene scene = load(
         "[[node]]\ninclude = \"house.glb\"\n[[node]]\ninclude = \"./house.glb\"\n"
