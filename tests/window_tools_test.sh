@@ -30,5 +30,14 @@ soon 40 becomes 0 250 crate.png
 xdotool key i
 soon 40 becomes 0 250 empty.png
 
+# ---- milliseconds by pass ----
+part 0 40 empty.png
+xdotool key g
+soon 60 becomes_other 0 40 empty.png
+sleep 0.5
+screen passes
+xdotool key g
+soon 60 becomes 0 40 empty.png
+
 close_window
 echo passed

@@ -80,6 +80,11 @@ PackedMesh packMesh(const MeshAsset& asset, BvhLayout& layout, PackedGeometry& o
 
 }  // namespace
 
+int numberOf(const std::shared_ptr<const Snippet>& snippet,
+             const std::vector<std::shared_ptr<const Snippet>>& list) {
+    return static_cast<int>(std::find(list.begin(), list.end(), snippet) - list.begin());
+}
+
 PackedGeometry packGeometry(const Scene& scene, const Assets& assets) {
     PackedGeometry out;
     out.fieldSnippets = eachOnce(assets.fields);

@@ -39,6 +39,10 @@ struct PackedGeometry {
     bool tooLarge = false;  ///< more texels of vertices than an index can name
 };
 
+/// The place in such a list of a snippet that is there.
+int numberOf(const std::shared_ptr<const Snippet>& snippet,
+             const std::vector<std::shared_ptr<const Snippet>>& list);
+
 PackedGeometry packGeometry(const Scene& scene, const Assets& assets);
 
 }  // namespace vitrine

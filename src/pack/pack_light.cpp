@@ -35,4 +35,17 @@ PackedLight packLight(const Light& light) {
     return packed;
 }
 
+Light sunOfSky(const SkyAsset::Sun& sun, const Environment& environment) {
+    const float up = glm::radians(environment.sunElevation);
+    const float around = glm::radians(environment.sunAzimuth + environment.rotation);
+    Light light;
+    light.type = LightType::kSun;
+    light.direction =
+        -glm::vec3(std::cos(up) * std::sin(around), std::sin(up), std::cos(up) * std::cos(around));
+    light.color.rgb = sun.irradiance;
+    light.intensity = environment.intensity;
+    light.radius = sun.radius;
+    return light;
+}
+
 }  // namespace vitrine

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "pack/assets.hpp"
 #include "scene/scene.hpp"
 #include "shared/limits.glsl"
 
@@ -15,5 +16,8 @@ struct PackedLight {
 };
 
 PackedLight packLight(const Light& light);
+
+/// The sun of a computed sky, which stands where the environment says.
+Light sunOfSky(const SkyAsset::Sun& sun, const Environment& environment);
 
 }  // namespace vitrine

@@ -12,6 +12,7 @@
 #include "pack/albedo_table.hpp"
 #include "pack/check_animations.hpp"
 #include "pack/pack_light.hpp"
+#include "pack/pack_materials.hpp"
 #include "pack/parameters.hpp"
 #include "scene/place.hpp"
 #include "scene/pose.hpp"
@@ -36,12 +37,9 @@ class Packer {
            Diagnostics& diagnostics)
         : scene_(scene), assets_(assets), geometry_(geometry), diagnostics_(diagnostics) {
         for (size_t i = 0; i < scene.shapes.size(); ++i) shapes_.emplace(scene.shapes[i].name, i);
-        for (size_t i = 0; i < scene.materials.size(); ++i)
-            materialNumbers_.emplace(scene.materials[i].name, static_cast<int>(i));
     }
 
     PackedMoment pack() {
-        packMaterials();
         packLights();
         packInstances();
         finishTables();
@@ -50,106 +48,11 @@ class Packer {
     }
 
   private:
-    /// Of a snippet that is there.
-    static int number(const std::vector<std::shared_ptr<const Snippet>>& list,
-                      const std::shared_ptr<const Snippet>& snippet) {
-        return static_cast<int>(std::find(list.begin(), list.end(), snippet) - list.begin());
-    }
-
-    int addParameters(const std::vector<glm::vec4>& values) {
-        const auto first = static_cast<int>(parameters_.size());
-        parameters_.insert(parameters_.end(), values.begin(), values.end());
-        return first;
-    }
-
-    void packMaterials() {
-        for (size_t i = 0; i < scene_.materials.size(); ++i) {
-            int snippet = 0, parameters = 0;
-            if (const auto& asset = assets_.materials[i]) {
-                snippet = 1 + number(geometry_.materialSnippets, asset);
-                parameters =
-                    addParameters(parameterValues(*asset, scene_.materials[i].set, diagnostics_));
-            } else if (!scene_.materials[i].set.empty() && scene_.materials[i].snippet.empty()) {
-                diagnostics_.error(scene_.materials[i].set[0].where,
-                                   "set gives parameters to a snippet, but the material has none");
-            }
-            addMaterial(scene_.materials[i], snippet, parameters, geometry_.textures.slots[i]);
-        }
-        for (const auto& snippet : geometry_.materialSnippets) {
-            out_.hasLayers |= mentions(*snippet, {"clearcoat", "sheenColor"});
-            out_.hasTransmission |= mentions(*snippet, {"transmission"});
-            out_.hasSubsurface |= mentions(*snippet, {"subsurface"});
-            out_.hasCurvature |= mentions(*snippet, {"curvature"});
-        }
-        addMaterial(Material{}, 0, 0, {});  // for nodes that name none
-        out_.materialNames.back() = "(default)";
-    }
-
-    /// Whether a snippet may set one of these members.
-    static bool mentions(const Snippet& snippet, std::initializer_list<std::string_view> words) {
-        return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-            return snippet.source.find(word) != std::string::npos;
-        });
-    }
-
-    void addMaterial(const Material& m, int snippet, int parameters,
-                     const PackedTextures::Slots& slots) {
-        out_.materialNames.push_back(m.name);
-        out_.hasLayers |= m.clearcoat > 0 || m.sheenColor.rgb != glm::vec3(0);
-        const bool classic = m.model != SurfaceModel::kPbr;
-        const float transmission = classic ? 0 : m.transmission;
-        out_.hasClassic |= classic;
-        out_.hasTransmission |= transmission > 0;
-        materials_.emplace_back(m.baseColor.rgb, m.metallic);
-        materials_.emplace_back(m.emission.rgb * m.emissionStrength, m.roughness);
-        materials_.push_back(texel(snippet, parameters, flagsOf(m)));
-        materials_.back().w = m.specular;
-        materials_.push_back(texel(slots.first, slots.count));
-        materials_.back().z = m.opacity;
-        materials_.back().w = m.alphaCutoff;
-        materials_.emplace_back(m.specularColor.rgb, m.ior);
-        materials_.emplace_back(absorptionOf(m), transmission);
-        materials_.emplace_back(m.clearcoat, m.clearcoatRoughness, 0.0f, 0.0f);
-        materials_.emplace_back(m.sheenColor.rgb, m.sheenRoughness);
-        const float subsurface = classic ? 0 : std::max(m.subsurface, scene_.render.sssAll);
-        out_.hasSubsurface |= subsurface > 0;
-        materials_.emplace_back(subsurface * m.subsurfaceColor.rgb, m.subsurfaceRadius);
-        const bool highlight = m.model == SurfaceModel::kBlinnPhong;
-        materials_.emplace_back(highlight ? m.highlightColor.rgb : glm::vec3(0), m.shininess);
-    }
-
-    /// What the materials of a node's parts are listed by: number, length of the list, and over
-    /// what radius curvature is taken (0: nobody asks).
-    [[nodiscard]] glm::vec4 listed(int material, size_t parts) const {
-        glm::vec4 entry = texel(material, static_cast<int>(parts));
-        const auto i = static_cast<size_t>(material);
-        if (i < scene_.materials.size() && assets_.materials[i] != nullptr &&
-            mentions(*assets_.materials[i], {"curvature"}))
-            entry.z = scene_.materials[i].curvatureRadius;
-        return entry;
-    }
-
-    static int flagsOf(const Material& m) {
-        int flags = static_cast<int>(m.alphaMode);
-        if (!m.doubleSided) flags |= VITRINE_MATERIAL_SINGLE_SIDED;
-        if (m.unlit) flags |= VITRINE_MATERIAL_UNLIT;
-        if (m.thin) flags |= VITRINE_MATERIAL_THIN;
-        if (m.model != SurfaceModel::kPbr) flags |= VITRINE_MATERIAL_CLASSIC;
-        return flags;
-    }
-
-    /// Per metre (Beer's law).
-    static glm::vec3 absorptionOf(const Material& m) {
-        if (m.attenuationDistance <= 0) return glm::vec3(0);
-        return -glm::log(glm::max(m.attenuationColor.rgb, glm::vec3(1e-6f))) /
-               m.attenuationDistance;
-    }
-
     void packLights() {
         std::vector<PackedLight> lights;
         for (const Light& light : scene_.lights) lights.push_back(packLight(light));
         if (geometry_.sky != nullptr && geometry_.sky->sun)
-            lights.push_back(packLight(sunOfTheSky()));
+            lights.push_back(packLight(sunOfSky(*geometry_.sky->sun, scene_.environment)));
         // Those with a size first: rays look for them.
         const auto points = std::stable_partition(lights.begin(), lights.end(),
                                                   [](const PackedLight& l) { return l.sized; });
@@ -157,52 +60,6 @@ class Packer {
         out_.block.counts.x = static_cast<int>(lights.size());
         for (const PackedLight& light : lights)
             lights_.insert(lights_.end(), light.texels.begin(), light.texels.end());
-    }
-
-    [[nodiscard]] Light sunOfTheSky() const {
-        const Environment& e = scene_.environment;
-        const float up = glm::radians(e.sunElevation);
-        const float around = glm::radians(e.sunAzimuth + e.rotation);
-        Light sun;
-        sun.type = LightType::kSun;
-        sun.direction = -glm::vec3(std::cos(up) * std::sin(around), std::sin(up),
-                                   std::cos(up) * std::cos(around));
-        sun.color.rgb = geometry_.sky->sun->irradiance;
-        sun.intensity = e.intensity;
-        sun.radius = geometry_.sky->sun->radius;
-        return sun;
-    }
-
-    [[nodiscard]] int materialByName(const std::string& name) const {
-        const auto found = materialNumbers_.find(name);
-        return found == materialNumbers_.end() ? -1 : found->second;
-    }
-
-    /// First texel, in the lists, of the materials of a node's parts.
-    int packPartMaterials(const Node& node, const Shape& shape,
-                          const std::vector<std::string>& partNames) {
-        const int unnamed = static_cast<int>(out_.materialNames.size()) - 1;
-        const int whole = node.material.empty() ? unnamed : materialByName(node.material.name);
-        std::vector<int> chosen(partNames.size(), whole);
-        if (node.material.empty())
-            for (size_t i = 0; i < shape.partMaterials.size() && i < partNames.size(); ++i)
-                chosen[i] = materialByName(shape.partMaterials[i].second);
-        for (size_t i = 0; i < node.parts.size(); ++i) {
-            const auto& [part, material] = node.parts[i];
-            const auto found = std::find(partNames.begin(), partNames.end(), part);
-            if (found == partNames.end())
-                diagnostics_.error(node.partPlaces[i],
-                                   fmt::format("shape '{}' has no part '{}'{}; its parts are '{}'",
-                                               node.shape.name, part, didYouMean(part, partNames),
-                                               fmt::join(partNames, "', '")));
-            else
-                chosen[static_cast<size_t>(found - partNames.begin())] =
-                    materialByName(material.name);
-        }
-        const auto first = static_cast<int>(materialLists_.size());
-        for (const int material : chosen)
-            materialLists_.push_back(listed(std::max(material, 0), chosen.size()));
-        return first;
     }
 
     /// Parts of a field without names are called by their number.
@@ -270,33 +127,6 @@ class Packer {
         return static_cast<int>(layout_.addInstances(buildBvh(boxes, options), numbers));
     }
 
-    /// `number`: of a material's snippet, 0 for none.
-    [[nodiscard]] bool snippetMakesGlass(size_t number) const {
-        return number > 0 && mentions(*geometry_.materialSnippets[number - 1], {"transmission"});
-    }
-
-    /// VITRINE_INSTANCE_* by the materials of the parts, a list that starts here.
-    int instanceFlags(int firstOfList, bool field) {
-        bool filtered = false, allCulled = true, someCulled = false;
-        for (auto i = static_cast<size_t>(firstOfList); i < materialLists_.size(); ++i) {
-            const auto m = static_cast<size_t>(materialLists_[i].x);
-            const glm::vec4* texels = &materials_[m * VITRINE_MATERIAL_TEXELS];
-            const int flags = static_cast<int>(texels[2].z);
-            const bool glass =
-                texels[5].w > 0 || snippetMakesGlass(static_cast<size_t>(texels[2].x));
-            filtered |= glass || (flags & (VITRINE_ALPHA_MASK | VITRINE_ALPHA_BLEND)) != 0;
-            const bool culled = (flags & VITRINE_MATERIAL_SINGLE_SIDED) != 0 && !glass;
-            allCulled &= culled;
-            someCulled |= culled;
-        }
-        // Parts of both kinds, or fields, whose backs are met only by rays inside of them.
-        if (someCulled && (!allCulled || field)) filtered = true;
-        const bool culled = allCulled && !field;
-        out_.hasFilters |= filtered;
-        out_.hasCulling |= culled;
-        return (filtered ? VITRINE_INSTANCE_FILTERED : 0) | (culled ? VITRINE_INSTANCE_CULLED : 0);
-    }
-
     void addInstance(const Node& node, const glm::mat4& worldFromObject, size_t shape) {
         const Shape& shapeOfNode = scene_.shapes[shape];
         const auto& mesh = assets_.meshes[shape];
@@ -310,20 +140,22 @@ class Packer {
             firstTriangle = packed.firstTriangle;
             indices =
                 texel(VITRINE_KIND_MESH, static_cast<int>(packed.root),
-                      packPartMaterials(node, shapeOfNode, mesh->mesh->partNames), firstTriangle);
+                      materials_.addParts(node, shapeOfNode, mesh->mesh->partNames), firstTriangle);
             perMeshOrField[0] = static_cast<float>(packed.extras);
             perMeshOrField[1] = static_cast<float>(packed.tangents);
             out_.triangleCount += mesh->mesh->triangles.size();
         } else {
-            const int parameters = addParameters(parameterValues(*field, node.set, diagnostics_));
-            indices = texel(VITRINE_KIND_FIELD, number(geometry_.fieldSnippets, field),
-                            packPartMaterials(node, shapeOfNode, partNamesOf(*field)), parameters);
+            const int parameters =
+                addParameters(parameterValues(*field, node.set, diagnostics_), parameters_);
+            indices =
+                texel(VITRINE_KIND_FIELD, numberOf(field, geometry_.fieldSnippets),
+                      materials_.addParts(node, shapeOfNode, partNamesOf(*field)), parameters);
             perMeshOrField[0] = 1 / field->stepDivisor();  // the scale of steps
             // What the float arithmetic of a field of this size cannot tell from zero.
             const glm::vec3 size = glm::max(glm::abs(box.min), glm::abs(box.max));
             perMeshOrField[1] = 4e-6f * std::max(size.x, std::max(size.y, size.z));
         }
-        const int flags = instanceFlags(static_cast<int>(indices.z), field != nullptr);
+        const int flags = materials_.instanceFlags(static_cast<int>(indices.z), field != nullptr);
         indices.x += static_cast<float>(flags);
         for (const glm::vec4& row : rowsOf(glm::inverse(worldFromObject)))
             instances_.push_back(row);
@@ -350,11 +182,11 @@ class Packer {
         };
         (void)append(geometry_.textures.table);  // first: its addresses count from the beginning
         writeStrengths(scene_, geometry_.textures, out_.tables);
-        const int lists = append(materialLists_);
+        const int lists = append(materials_.lists());
         for (size_t i = 6; i < instances_.size(); i += VITRINE_INSTANCE_TEXELS)
             instances_[i].z += static_cast<float>(lists);
         out_.block.tables.x = append(instances_);
-        out_.block.tables.y = append(materials_);
+        out_.block.tables.y = append(materials_.materials());
         out_.block.tables.z = append(lights_);
         out_.block.tables.w = append(parameters_);
         out_.block.path.w = append(albedoTable());
@@ -401,8 +233,8 @@ class Packer {
     PackedMoment out_;
     BvhLayout layout_{static_cast<uint32_t>(geometry_.slots.size() / VITRINE_SLOT_TEXELS)};
     std::unordered_map<std::string, size_t> shapes_;
-    std::unordered_map<std::string, int> materialNumbers_;
-    std::vector<glm::vec4> instances_, materials_, lights_, parameters_, materialLists_;
+    std::vector<glm::vec4> instances_, lights_, parameters_;
+    MaterialPacker materials_{scene_, assets_, geometry_, out_, parameters_, diagnostics_};
 };
 
 }  // namespace

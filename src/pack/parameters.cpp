@@ -46,4 +46,10 @@ std::vector<glm::vec4> parameterValues(const Snippet& snippet,
     return values;
 }
 
+int addParameters(const std::vector<glm::vec4>& values, std::vector<glm::vec4>& table) {
+    const auto first = static_cast<int>(table.size());
+    table.insert(table.end(), values.begin(), values.end());
+    return first;
+}
+
 }  // namespace vitrine

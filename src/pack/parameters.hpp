@@ -16,4 +16,7 @@ std::vector<glm::vec4> parameterValues(const Snippet& snippet,
                                        const std::vector<ParameterValue>& set,
                                        Diagnostics& diagnostics);
 
+/// Appends values to a table; returns where they begin.
+int addParameters(const std::vector<glm::vec4>& values, std::vector<glm::vec4>& table);
+
 }  // namespace vitrine
