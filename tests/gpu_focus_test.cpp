@@ -7,6 +7,7 @@
 // what the ball and the pixels add is measured with a pinhole.
 #include <cmath>
 
+#include "gpu_spot.hpp"
 #include "gpu_support.hpp"
 #include "mesh/primitives.hpp"
 
@@ -28,25 +29,10 @@ double formula(double distance) {
     return circle / sensorDistance * kPixels;
 }
 
-struct Spot {
-    double light = 0;
-    glm::dvec2 middle{0}, variance{0};
-};
+using test::Spot;
 
 Spot measure(const ImageRgba32f& image) {
-    Spot spot;
-    glm::dvec2 squares(0);
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
-            const double light = image.at(x, y)[0];
-            const glm::dvec2 p(x, y);
-            spot.light += light;
-            spot.middle += light * p;
-            squares += light * p * p;
-        }
-    spot.middle /= spot.light;
-    spot.variance = squares / spot.light - spot.middle * spot.middle;
-    return spot;
+    return test::measureSpot(kSide, [&](int x, int y) { return double{image.at(x, y)[0]}; });
 }
 
 double diameter(const Spot& blurred, const Spot& sharp) {

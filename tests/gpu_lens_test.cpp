@@ -6,6 +6,7 @@
 // each axis, and the ball itself, the pixels and the samples' filter add their own variances.
 #include <cmath>
 
+#include "gpu_spot.hpp"
 #include "gpu_support.hpp"
 #include "mesh/primitives.hpp"
 
@@ -18,10 +19,7 @@ constexpr double kFocus = 2, kFocalLength = 50, kFStop = 0.25;
 constexpr double kPixels = kSide * kFocalLength / 36, kBallPixels = 4;
 constexpr double kFilterVariance = 1.0 / 12 + 1.0 / 6;  // of a pixel and of the tent over it
 
-struct Spot {
-    double light = 0;
-    glm::dvec2 middle{0}, variance{0};
-};
+using test::Spot;
 
 class LensTest : public test::GpuTest {
   protected:
@@ -57,21 +55,11 @@ class LensTest : public test::GpuTest {
         return test::drawPicture(scene.load(), backend, request);
     }
     static Spot measure(const ImageRgba8& image) {
-        Spot spot;
-        glm::dvec2 squares(0);
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
-                const double light = test::linearFromSrgb(image.at(x, y)[0]);
-                // The dither lifts black by up to a step.
-                if (image.at(x, y)[0] <= 1) continue;
-                const glm::dvec2 p(x, y);
-                spot.light += light;
-                spot.middle += light * p;
-                squares += light * p * p;
-            }
-        spot.middle /= spot.light;
-        spot.variance = squares / spot.light - spot.middle * spot.middle;
-        return spot;
+        return test::measureSpot(kSide, [&](int x, int y) {
+            // The dither lifts black by up to a step.
+            const uint8_t step = image.at(x, y)[0];
+            return step <= 1 ? 0.0 : test::linearFromSrgb(step);
+        });
     }
     /// Of the disc alone.
     static double diameter(const Spot& spot, int axis) {

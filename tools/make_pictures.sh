@@ -68,7 +68,7 @@ light.key.polar 0 90
 light.key.azimuth -60 90
 light.key.color [1,0.45,0.15] [0.2,0.5,1]
 camera.focal_length 20 200
-camera.f_stop 1 22 face
+camera.face.f_stop 1 22 face
 camera.focus_distance 2.5 20
 render.exposure_percent 25 400
 render.gamma 0.5 2
