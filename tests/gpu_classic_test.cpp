@@ -123,6 +123,33 @@ TEST_F(ClassicTest, ALambertBallHasTheRadianceOnPaper) {
             }
 }
 
+/// Whatever else it has, an unlit ball shows its colour on all sides.
+TEST_F(ClassicTest, AnUnlitBallIsItsColor) {
+    const glm::vec3 sun = glm::normalize(glm::vec3(-0.5f, -0.6f, 0.7f));
+    constexpr float kColor = 0.4f;
+    const double code = 255 * (1.055 * std::pow(kColor, 1 / 2.4) - 0.055);
+    Material material = classic(SurfaceModel::kPbr, kColor);
+    material.transmission = 0;
+    material.unlit = true;
+    for (const bool field : {false, true}) {
+        SCOPED_TRACE(field ? "field" : "mesh");
+        const auto scene = ballUnderASun(material, field, sun, 3.5f);
+        const ImageRgba8 image = draw(scene, Backend::kFragment);
+        const Camera& camera = scene.scene.cameras[0];
+        int count = 0;
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const Ray ray = test::pixelRay(camera, kWidth, kHeight, x, y);
+                const glm::vec3 nearest =
+                    ray.origin - glm::dot(ray.origin, ray.direction) * ray.direction;
+                if (glm::length(nearest) > 0.95f) continue;
+                EXPECT_NEAR(image.at(x, y)[0], code, 1.6);  // rounding and dither
+                ++count;
+            }
+        EXPECT_GT(count, 500);
+    }
+}
+
 TEST_F(ClassicTest, BlinnsHighlightHasItsShapeAndItsPeak) {
     const glm::vec3 sun = glm::normalize(glm::vec3(-0.3f, -0.4f, -0.85f));
     const glm::dvec3 toSun = -glm::dvec3(sun);

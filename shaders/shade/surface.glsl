@@ -30,21 +30,8 @@ vec3 terminatorShift(vec3 p, Vertex a, Vertex b, Vertex c, vec3 weights, float s
     return weights.x * toA + weights.y * toB + weights.z * toC;
 }
 
-// Shows its base colour and answers no light.
-void makeUnlit(inout Surface s) {
-    s.emission = s.baseColor;
-    s.baseColor = vec3(0.0);
-    s.metallic = 0.0;
-    s.specular = 0.0;
-    s.transmission = 0.0;
-    s.clearcoat = 0.0;
-    s.sheenColor = vec3(0.0);
-    s.highlightColor = vec3(0.0);
-}
-
-#if HAS_CLASSIC
-// Nothing but the body of a material that is lambert or blinn-phong; its highlight is its own.
-void makeClassic(inout Surface s) {
+// Nothing but a matt body.
+void makePlain(inout Surface s) {
     s.metallic = 0.0;
     s.specular = 0.0;
     s.transmission = 0.0;
@@ -52,7 +39,14 @@ void makeClassic(inout Surface s) {
     s.sheenColor = vec3(0.0);
     s.subsurface = vec3(0.0);
 }
-#endif
+
+// Shows its base colour and answers no light.
+void makeUnlit(inout Surface s) {
+    makePlain(s);
+    s.highlightColor = vec3(0.0);
+    s.emission = s.baseColor;
+    s.baseColor = vec3(0.0);
+}
 
 // The number in the mesh or field of what was hit.
 uint numberOf(uvec4 record) {
@@ -175,7 +169,7 @@ void loadMaterial(inout Hit hit, Instance instance, TextureFrame geometry) {
     evaluateMaterial(int(c.x), hit.surface, int(c.y));
 #if HAS_CLASSIC
     if ((int(c.z) & VITRINE_MATERIAL_CLASSIC) != 0)
-        makeClassic(hit.surface);
+        makePlain(hit.surface);  // lambert or blinn-phong; their highlight is their own
     else
         hit.surface.highlightColor = vec3(0.0);
 #endif
