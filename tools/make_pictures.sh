@@ -72,8 +72,8 @@ camera.face.f_stop 1 22 face
 camera.focus_distance 2.5 20
 render.exposure_percent 25 400
 render.gamma 0.5 2
-render.ao 0 5 face
-render.sss_all 0 1 face
+render.ao 0 5 body
+render.sss_all 0 1 body
 material.shell.base_color [0.9,0.55,0.02] [0.03,0.1,0.7]
 PARAMETERS
     sheet docs/robot-parameters.png 4

@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <utility>
 
 namespace vitrine {
 namespace {
 
-constexpr std::array<std::array<const char*, 2>, 8> kMouse{
+const std::array<std::pair<std::string, std::string>, 8> kMouse{
     {{"left drag", "turn around the target"},
      {"right or middle drag", "move sideways and up"},
      {"wheel", "nearer and farther, at the cursor"},
@@ -19,7 +20,7 @@ constexpr std::array<std::array<const char*, 2>, 8> kMouse{
      {"W A S D  Q E", "walk, down and up; Shift: faster"},
      {"right drag while walking", "look around"},
      {"double click", "fly to what is under the cursor"},
-     {"Ctrl and click on a slider", "type its value"}}};
+     {"Ctrl+click on a slider", "type its value"}}};
 
 std::string quoted(const std::string& text) {
     if (text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
@@ -34,12 +35,19 @@ std::string list(const glm::vec3& v) {
     return fmt::format("[{},{},{}]", v.x, v.y, v.z);
 }
 
-void helpRow(const std::string& keys, const std::string& what) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextColored(ImVec4(1.0f, 0.78f, 0.36f, 1), "%s", keys.c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(what.c_str());
+using HelpRow = std::pair<std::string, std::string>;  // keys, what they do
+
+void helpColumn(const char* name, const HelpRow* first, const HelpRow* last) {
+    if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX))
+        return;
+    for (; first != last; ++first) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextColored(ImVec4(1.0f, 0.78f, 0.36f, 1), "%s", first->first.c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(first->second.c_str());
+    }
+    ImGui::EndTable();
 }
 
 }  // namespace
@@ -65,18 +73,22 @@ void drawMenus(const std::vector<Command>& commands) {
     ImGui::EndMenuBar();
 }
 
-void drawHelp(const std::vector<Command>& commands, glm::vec2 pictureSize) {
-    ImGui::SetNextWindowPos({pictureSize.x / 2, pictureSize.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowBgAlpha(0.88f);
+void drawHelp(const std::vector<Command>& commands) {
+    std::vector<HelpRow> rows(kMouse.begin(), kMouse.end());
+    for (const Command& command : commands)
+        if (!command.keys.empty()) rows.emplace_back(command.keys, command.name);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, screen);
+    ImGui::SetNextWindowBgAlpha(0.96f);
     ImGui::Begin("Keys", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (const auto& [keys, what] : kMouse) helpRow(keys, what);
-        for (const Command& command : commands)
-            if (!command.keys.empty()) helpRow(command.keys, command.name);
-        ImGui::EndTable();
-    }
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    const HelpRow *begin = rows.data(), *end = begin + rows.size();
+    const HelpRow* middle = begin + (rows.size() + 1) / 2;
+    helpColumn("left", begin, middle);
+    ImGui::SameLine(0, 2 * ImGui::GetFontSize());
+    helpColumn("right", middle, end);
     ImGui::End();
 }
 

@@ -24,8 +24,8 @@ struct Command {
 void runKeys(const std::vector<Command>& commands, const std::vector<KeyPress>& presses);
 /// The menu bar of the current ImGui window: menus, and entries in them, in the order of the list.
 void drawMenus(const std::vector<Command>& commands);
-/// A list of all keys over the picture, of this size in ImGui units.
-void drawHelp(const std::vector<Command>& commands, glm::vec2 pictureSize);
+/// A list of all keys in the middle of the window.
+void drawHelp(const std::vector<Command>& commands);
 
 /// The picture in the window as a command line.
 struct ShownPicture {

@@ -116,7 +116,7 @@ class Viewer {
         const glm::vec2 size = pictureSize();
         if (panelShown_) panel(commands, size);
         for (const auto& tool : tools_) tool->draw(size);
-        if (helpShown_) drawHelp(commands, size);
+        if (helpShown_) drawHelp(commands);
     }
 
     void panel(const std::vector<Command>& commands, glm::vec2 size) {
