@@ -16,7 +16,14 @@ start_window scene.toml
 size=380x450
 shoot
 first=$shot
-dropped() { "$drop" 190 225 "$@" || fail "the window does not take $*"; }
+dropped() {
+    "$drop" 190 225 "$@"
+    case $? in
+        0) ;;
+        77) echo "skipped: no libX11"; exit 77 ;;
+        *) fail "the window does not take $*" ;;
+    esac
+}
 
 dropped notes.txt
 soon 10 banner
