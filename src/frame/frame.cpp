@@ -28,6 +28,12 @@ class SharpLens {
     float radius_;
 };
 
+/// The texel at a place of a picture, shares of its width and height.
+glm::ivec2 texelAt(const Texture& image, glm::vec2 place) {
+    const glm::ivec2 size(image.width(), image.height());
+    return glm::clamp(glm::ivec2(place * glm::vec2(size)), glm::ivec2(0), size - 1);
+}
+
 // Of a picture of one sample.
 constexpr int kAmbientProbes = 16, kSkyProbes = 4, kSubstanceProbes = 8;
 constexpr int kQuickProbes = 3;
@@ -302,17 +308,19 @@ glm::uvec4 Frame::pick(glm::vec2 place) {
     context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
     const SharpLens sharp(context_.block);
     const Texture& records = paths_[0].records;
-    const auto texel = [](float share, int size) {
-        return std::clamp(static_cast<int>(share * static_cast<float>(size)), 0, size - 1);
-    };
-    const int x = texel(place.x, records.width()), y = texel(place.y, records.height());
+    const glm::ivec2 texel = texelAt(records, place);
     rasterise();
-    context_.rows = {y, y + 1};
+    context_.rows = {texel.y, texel.y + 1};
     findFirstHits();
     context_.rows = {};
-    const std::vector<uint32_t> texels = records.readUints();
-    const uint32_t* at = &texels[4 * (static_cast<size_t>(y) * records.width() + x)];
-    return {at[0], at[1], at[2], at[3]};
+    return records.readUintsAt(texel.x, texel.y);
+}
+
+PixelCounts Frame::countsAt(glm::vec2 place) const {
+    const Texture& counters = context_.counters[0];
+    const glm::ivec2 texel = texelAt(counters, place);
+    const glm::uvec4 counts = counters.readUintsAt(texel.x, texel.y);
+    return {counts.x, counts.y, counts.z, counts.w & 0xffffu, counts.w >> 16};
 }
 
 ImageRgba8 Frame::picture() {

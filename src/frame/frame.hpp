@@ -40,6 +40,12 @@ struct FrameRequest {
     bool quick = false;  ///< few looks for light, for a picture that moves
 };
 
+/// What one pixel of one sample has cost.
+struct PixelCounts {
+    uint32_t loops = 0;  ///< iterations of loops, the most in one pass
+    uint32_t nodes = 0, steps = 0, shadowRays = 0, bounceRays = 0;
+};
+
 /// Sums over all samples drawn since begin(). Ray counts need counters.
 struct FrameStatistics {
     uint64_t primaryRays = 0, shadowRays = 0, bounceRays = 0;
@@ -73,6 +79,9 @@ class Frame {
     /// The hit record at a place of the picture, shares of its width and height from the lower
     /// left. A sample that is being worked on begins anew.
     [[nodiscard]] glm::uvec4 pick(glm::vec2 place);
+    /// What a place, as above, of the last sample has cost. Needs counters, and a sample; not while
+    /// one is being worked on.
+    [[nodiscard]] PixelCounts countsAt(glm::vec2 place) const;
     /// The same as display(), top row first.
     [[nodiscard]] ImageRgba8 picture();
     /// The picture as data. Needs a request with `layers`.

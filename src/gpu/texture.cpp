@@ -98,6 +98,20 @@ std::vector<uint32_t> Texture::readUints() const {
     return read<uint32_t>(*this, GL_RGBA_INTEGER, GL_UNSIGNED_INT);
 }
 
+glm::uvec4 Texture::readUintsAt(int x, int y) const {
+    assert(format_ == TexelFormat::kRgba32ui && x >= 0 && x < width_ && y >= 0 && y < height_);
+    unsigned framebuffer = 0;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, id_, 0);
+    glm::uvec4 texel(0);
+    glReadPixels(x, y, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, &texel.x);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &framebuffer);
+    checkGl("reading a texel back");
+    return texel;
+}
+
 void Texture::write(std::span<const std::byte> bytes) {
     const FormatInfo info = formatInfo(format_);
     assert(bytes.size() % (static_cast<size_t>(width_) * height_) == 0);

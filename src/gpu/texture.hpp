@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "base/math.hpp"
+
 namespace vitrine {
 
 enum class TexelFormat { kRgba8, kRgba16f, kRgba32f, kRgba32ui };
@@ -30,6 +32,8 @@ class Texture {
     [[nodiscard]] std::vector<uint8_t> readBytes() const;
     [[nodiscard]] std::vector<float> readFloats() const;
     [[nodiscard]] std::vector<uint32_t> readUints() const;
+    /// One texel; (0, 0) is at the lower left.
+    [[nodiscard]] glm::uvec4 readUintsAt(int x, int y) const;
     /// Replaces all texels; `bytes` has the format's layout, bottom row first.
     void write(std::span<const std::byte> bytes);
     void clear();
