@@ -131,7 +131,7 @@ void Context::queryInfo() {
         if (info_.renderer.find(name) != std::string::npos) info_.software = true;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &info_.maxTextureBufferTexels);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info_.maxTextureSize);
-    if (info_.software) fillSamplerSlots();
+    if (info_.software) SamplerSlots().fill();
 }
 
 std::unique_ptr<Context> Context::createHeadless() {

@@ -4,9 +4,6 @@
 #include <epoxy/gl.h>
 
 #include <string>
-
-#include "gpu/texture.hpp"
-
 namespace vitrine {
 namespace {
 
@@ -45,28 +42,36 @@ unsigned makeProgram() {
 
 }  // namespace
 
-void fillSamplerSlots() {
-    const unsigned program = makeProgram();
-    const Texture image(1, 1, TexelFormat::kRgba8), target(1, 1, TexelFormat::kRgba8);
+SamplerSlots::SamplerSlots() : program_(makeProgram()) {
+    glGenFramebuffers(1, &framebuffer_);
+    glGenVertexArrays(1, &vertexArray_);
+}
+
+SamplerSlots::~SamplerSlots() {
+    glDeleteVertexArrays(1, &vertexArray_);
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteProgram(program_);
+}
+
+void SamplerSlots::fill() {
     for (unsigned i = 0; i < kSlots; ++i) {
         glActiveTexture(GL_TEXTURE0 + i);
-        glBindTexture(GL_TEXTURE_2D, image.id());
+        glBindTexture(GL_TEXTURE_2D, image_.id());
     }
     glActiveTexture(GL_TEXTURE0);
-    unsigned framebuffer = 0, vertexArray = 0;
-    glGenFramebuffers(1, &framebuffer);
-    glGenVertexArrays(1, &vertexArray);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.id(), 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_.id(), 0);
+    const GLenum buffer = GL_COLOR_ATTACHMENT0;
+    glDrawBuffers(1, &buffer);
     glViewport(0, 0, 1, 1);
-    glBindVertexArray(vertexArray);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(program_);
+    glBindVertexArray(vertexArray_);
     glDrawArrays(GL_POINTS, 0, 1);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glBindVertexArray(0);
     glUseProgram(0);
-    glDeleteVertexArrays(1, &vertexArray);
-    glDeleteFramebuffers(1, &framebuffer);
-    glDeleteProgram(program);
 }
 
 }  // namespace vitrine
