@@ -17,7 +17,7 @@ bool isPowerOfTwo(int size) {
 /// Resolution changes all the time while a picture moves: no size of it needs programs of its own.
 int scaled(int size, float scale) {
     const int side = std::max(1, static_cast<int>(std::lround(static_cast<float>(size) * scale)));
-    return isPowerOfTwo(side) ? side + 1 : side;
+    return isPowerOfTwo(side) ? std::max(3, side + 1) : side;
 }
 
 /// The smallest size from 33 on that is a power of two, and whose parts in frame/lens_filter.cpp
