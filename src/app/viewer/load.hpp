@@ -8,7 +8,6 @@
 
 #include "app/session/session.hpp"
 #include "base/file.hpp"
-#include "import/model_library.hpp"
 
 namespace vitrine {
 
@@ -30,7 +29,7 @@ struct LoadResult {
 };
 
 /// On any thread; `prober` asks on a context that is current there. Whatever is wrong, even with
-/// the file itself, is in the result.
-LoadResult loadFor(const LoadRequest& request, FieldProber& prober);
+/// the file itself, is in the result. The cache is of the loads before.
+LoadResult loadFor(const LoadRequest& request, FieldProber& prober, SceneCache& cache);
 
 }  // namespace vitrine

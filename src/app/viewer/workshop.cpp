@@ -61,7 +61,7 @@ Workshop::Delivery Workshop::make(Order& order, Delivery delivery, const Checkpo
     try {
         if (order.load) {
             const ContextUse use(delivery.frame->context());
-            delivery.load = loadFor(*order.load, prober_);
+            delivery.load = loadFor(*order.load, prober_, cache_);
             scene = delivery.load->scene;
             if (scene != nullptr) order.moment = momentOf(*scene, order.wish.time);
         }

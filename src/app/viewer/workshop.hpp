@@ -68,7 +68,8 @@ class Workshop {
     Delivery make(Order& order, Delivery delivery, const Checkpoint& checkpoint);
 
     ContextPool contexts_;
-    FieldProber prober_;  ///< the thread's
+    FieldProber prober_;  ///< the thread's, and so is
+    SceneCache cache_;
     Clock::time_point orderedAt_{};
     Background<Delivery> background_;  // last: the thread uses the others
 };
