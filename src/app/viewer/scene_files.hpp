@@ -25,11 +25,13 @@ class SceneFiles : public Tool {
 
   private:
     void open(const std::string& file, size_t of);
+    void finishOpening(const SceneView::Opened& opened);
 
     Window& window_;
     SceneView& view_;
     Notices& notices_;
-    std::string askedFor_;  ///< a file that was not opened, for the sake of edits
+    size_t droppedWith_ = 1;  ///< how many files were dropped with the one that is being opened
+    std::string askedFor_;    ///< a file that was not opened, for the sake of edits
 };
 
 }  // namespace vitrine
