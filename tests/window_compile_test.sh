@@ -34,7 +34,7 @@ head=fields/robot-head.sdf.glsl
 cp $head whole
 for width in 0.1 0.2 broken 0.3; do
     sleep 1
-    screen compiling
+    screen "compiling-$width"
     # The head is thicker by so much, or does not compile.
     if [ $width = broken ]; then
         sed 's/\<sdf(vec3 p) {/sdf(vec3 p) { p = lenght(p);/' whole > $head

@@ -2,6 +2,7 @@
 // Draws a packed scene, sample by sample.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -63,6 +64,10 @@ class Frame {
     /// Whether update() leaves the programs as they are; else all are compiled anew.
     [[nodiscard]] bool covers(const PackedMoment& moment) const {
         return context_.programs.covers(moment);
+    }
+    /// To be called before each program is compiled. If it throws, the frame can only be destroyed.
+    void callBeforeCompiling(std::function<void()> call) {
+        context_.programs.callBefore(std::move(call));
     }
     /// Shows another moment of the scene from the next begin() on: transforms, materials,
     /// parameters, lights, settings.

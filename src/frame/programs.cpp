@@ -127,6 +127,7 @@ const Program& ProgramSet::get(const std::string& pass, int onlyField) {
     const std::string name = fmt::format("{} {}", pass, onlyField);
     const auto known = programs_.find(name);
     if (known != programs_.end()) return known->second;
+    if (before_) before_();
     const auto start = std::chrono::steady_clock::now();
     const Dialect dialect = gpu_.glslVersion >= 450 ? Dialect::kGl450 : Dialect::kGl410;
     const bool raster = findPass(pass).raster;

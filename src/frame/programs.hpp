@@ -3,6 +3,7 @@
 // which a test compiles for every dialect without a GPU.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -69,6 +70,8 @@ class ProgramSet {
     }
     /// From now on the programs can do what this moment needs besides what they could.
     void require(const PackedMoment& moment);
+    /// To be called before each program is compiled. What it throws leaves the set as it is.
+    void callBefore(std::function<void()> call) { before_ = std::move(call); }
     [[nodiscard]] Backend backend() const { return backend_; }
     [[nodiscard]] double compileSeconds() const { return compileSeconds_; }
 
@@ -79,6 +82,7 @@ class ProgramSet {
     GeneratedShaders shaders_;
     ProgramFeatures features_;
     std::map<std::string, Program> programs_;
+    std::function<void()> before_;
     double compileSeconds_ = 0;
 };
 

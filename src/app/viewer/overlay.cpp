@@ -81,7 +81,7 @@ void drawMessage(const std::string& text, glm::vec2 pictureSize) {
 }
 
 void drawProgress(const std::string& text, glm::vec2 pictureSize) {
-    ImGui::SetNextWindowPos({pictureSize.x / 2, 8}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowPos({pictureSize.x - 8, pictureSize.y - 48}, ImGuiCond_Always, {1, 1});
     ImGui::SetNextWindowBgAlpha(0.8f);
     ImGui::Begin("Progress", nullptr,
                  kLabel | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);

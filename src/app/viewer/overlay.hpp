@@ -16,7 +16,7 @@ void drawProblems(const Diagnostics& problems, const char* outlook, glm::vec2 pi
 /// In the lower left corner.
 void drawFacts(const Facts& facts, glm::vec2 pictureSize);
 void drawMessage(const std::string& text, glm::vec2 pictureSize);
-/// What is being done meanwhile, in the middle of the upper edge.
+/// What is being done meanwhile, in the lower right corner.
 void drawProgress(const std::string& text, glm::vec2 pictureSize);
 /// Returns whether a hand has changed the time.
 bool drawTimeline(Timeline& timeline, glm::vec2 pictureSize);

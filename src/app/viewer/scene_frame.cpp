@@ -34,7 +34,9 @@ void SceneFrame::prepare(const LoadedScene& scene, const PackedMoment& moment, c
         lit_ = !counters_ && !records_;
         frame_ = std::make_unique<Frame>(*context_, scene.packed, Backend::kAuto, counters_);
         frame_->update(moment);
-        compile(wish, moment.worldBox, checkpoint);
+        frame_->callBeforeCompiling(checkpoint);
+        compile(wish, moment.worldBox);
+        frame_->callBeforeCompiling({});
     } catch (const InputError&) {
         // One program reports one snippet's mistakes at best: ask each snippet by itself.
         checkSnippets(*context_, scene.assets).throwIfErrors();
@@ -42,13 +44,12 @@ void SceneFrame::prepare(const LoadedScene& scene, const PackedMoment& moment, c
     }
 }
 
-void SceneFrame::compile(const Wish& wish, const Aabb& world, const Checkpoint& checkpoint) {
+void SceneFrame::compile(const Wish& wish, const Aabb& world) {
     Wish moving = wish, still = wish, whole = wish;
     moving.moving = whole.moving = true;
     still.moving = false;
     whole.camera = overview(wish.camera, world);
     for (const Wish& each : {moving, still, whole}) {
-        checkpoint();
         frame_->begin(smallRequestFor(each));
         frame_->drawSample();
         frame_->display();

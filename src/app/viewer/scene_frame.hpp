@@ -36,7 +36,7 @@ class SceneFrame {
     [[nodiscard]] const Frame& frame() const { return *frame_; }
 
   private:
-    void compile(const Wish& wish, const Aabb& world, const Checkpoint& checkpoint);
+    void compile(const Wish& wish, const Aabb& world);
     std::shared_ptr<const SharedContext> context_;
     std::unique_ptr<Frame> frame_;
     bool counters_ = false, records_ = false, lit_ = false;

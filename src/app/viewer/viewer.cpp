@@ -45,8 +45,10 @@ void showReading(Window& window, const std::string& file, double seconds) {
     window.begin(seconds);
     window.clear();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    drawProgress("reading " + file, {size.x, size.y});
+    drawMessage("reading " + file + " ...", {size.x, size.y});
     window.end();
+    for (const KeyPress& press : window.takeKeyPresses())
+        if (press.control && press.key == 'Q') window.askToClose();
     if (window.shouldClose()) throw WindowClosed{};
 }
 
