@@ -108,10 +108,10 @@ std::string renderCommand(const ShownPicture& picture) {
     return text;
 }
 
-std::string nextPictureName(const std::string& prefix) {
+std::string nextFileName(const std::string& ending) {
     std::string name;
     int number = 1;
-    do name = fmt::format("{}-{:04}.png", prefix, number++);
+    do name = fmt::format("vitrine-{:04}{}", number++, ending);
     while (std::filesystem::exists(name));
     return name;
 }

@@ -39,7 +39,9 @@ struct ShownPicture {
 /// `vitrine render ...`, quoted for a shell, that draws the same.
 std::string renderCommand(const ShownPicture& picture);
 
-/// PREFIX-0001.png, or the first number after it that is not taken in the current folder.
-std::string nextPictureName(const std::string& prefix);
+/// vitrine-0001.png, or the first number after it that is not taken in the current folder.
+/// `ending`:
+/// ".png".
+std::string nextFileName(const std::string& ending);
 
 }  // namespace vitrine

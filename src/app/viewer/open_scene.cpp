@@ -146,9 +146,13 @@ float OpenScene::duration() const {
     return last;
 }
 
+bool OpenScene::canSave() const {
+    return isScene(file_);
+}
+
 std::string OpenScene::save() {
     if (edits.empty()) return "nothing has been changed";
-    if (!isScene(file_)) return "only scenes (.toml) can be saved";
+    if (!canSave()) return "only scenes (.toml) can be saved";
     try {
         Diagnostics diagnostics;
         const std::string before = readFile(file_, kMaxSceneBytes);

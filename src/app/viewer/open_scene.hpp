@@ -48,6 +48,8 @@ class OpenScene {
 
     /// `--set` assignments: of the command line, then of the edits.
     [[nodiscard]] std::vector<std::string> overrides() const;
+    /// Whether the file is a scene, which can take the edits.
+    [[nodiscard]] bool canSave() const;
     /// Writes the edits into the file. Returns a sentence about it.
     std::string save();
 

@@ -28,15 +28,12 @@ void SceneFiles::update() {
 }
 
 void SceneFiles::open(const std::string& file, size_t of) {
-    // What has been changed by hand is lost only to who asks twice.
-    if (!view_.scene.edits.empty() && askedFor_ != file) {
-        askedFor_ = file;
-        Diagnostics why;
-        why.error({view_.scene.file()},
-                  "has changes that are not saved: drop the file again to lose them");
-        return notices_.refuse(why);
-    }
-    askedFor_.clear();
+    // What cannot be opened is refused before anybody is asked about losing anything.
+    if (!canOpen(file)) return show(file, of);
+    leaving_.ask([this, file, of] { show(file, of); });
+}
+
+void SceneFiles::show(const std::string& file, size_t of) {
     const Diagnostics problems = view_.open(file);
     if (problems.hasErrors()) return notices_.refuse(problems);
     notices_.forgetRefusal();

@@ -73,6 +73,12 @@ void SceneView::show() {
     split.show(window_, wish_.width, wish_.height);
 }
 
+ImageRgba8 SceneView::image() {
+    ImageRgba8 picture = stage.image();
+    split.putInto(picture);
+    return picture;
+}
+
 bool SceneView::busy() const {
     return !stage.finished() || !split.finished() || timeline.playing || pilot.flying() || moving();
 }
@@ -115,6 +121,11 @@ void SceneView::takeCamera(size_t camera) {
     pilot.take(cameras[camera], kFlightSeconds);
 }
 
+const Camera& SceneView::sceneCamera() const {
+    const std::vector<Camera>& cameras = scene.posed().cameras;
+    return cameras[std::min(camera_, cameras.size() - 1)];
+}
+
 Latencies::Kind SceneView::takeKind() {
     return std::exchange(kind_, Latencies::Kind::kRefine);
 }
@@ -146,8 +157,7 @@ void SceneView::showMoment(Latencies::Kind why) {
         moment_ = scene.moment(timeline.time);
         if (!stage.empty()) stage.update(moment_);
         split.update(moment_);
-        const std::vector<Camera>& cameras = scene.posed().cameras;
-        pilot.follow(cameras[std::min(camera_, cameras.size() - 1)], why != Latencies::Kind::kPlay);
+        pilot.follow(sceneCamera(), why != Latencies::Kind::kPlay);
     } catch (const InputError& error) {
         scene.report(error);
     }
