@@ -145,6 +145,10 @@ bool Window::takeCloseRequest() {
     return asked;
 }
 
+void Window::hide() {
+    glfwHideWindow(window_);
+}
+
 void Window::setTitle(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }

@@ -51,6 +51,8 @@ class Window {
     [[nodiscard]] const Context& context() const { return *context_; }
     /// Whether the desktop asked to close the window since the last call.
     bool takeCloseRequest();
+    /// Out of sight, for what has to be done before it goes.
+    void hide();
     void setTitle(const std::string& title);
     void setFullScreen(bool full);
     [[nodiscard]] bool isFullScreen() const;

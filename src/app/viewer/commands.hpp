@@ -12,7 +12,8 @@
 namespace vitrine {
 
 struct Command {
-    std::string menu, name;
+    std::string menu;  ///< "File", or "File/Open recent" for a menu in a menu
+    std::string name;
     std::string keys;  ///< as people write them: "Ctrl+S"
     int key = 0;       ///< a KeyPress::key; 0: in the menu only
     bool control = false, shift = false;

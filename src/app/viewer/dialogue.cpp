@@ -13,6 +13,13 @@ void Dialogue::open() {
     window_.wake();
 }
 
+void Dialogue::askAgain() {
+    freshFrames_ = kFreshFrames + 1;
+    // An Enter that is still held would leave the field again.
+    ImGui::GetIO().KeysDown[kKeyEnter] = ImGui::GetIO().KeysDown[kKeyKeypadEnter] = false;
+    window_.wake();
+}
+
 void Dialogue::close() {
     wanted_ = false;
     closing_ = shown_;

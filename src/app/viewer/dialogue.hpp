@@ -26,8 +26,10 @@ class Dialogue {
     bool takeKey(const KeyPress& press);
     /// Whether Enter was pressed since the last call.
     [[nodiscard]] bool takeEnter();
-    /// It has just been opened: the frame in which to put the cursor into a field.
+    /// It has just been opened, or was not content with an answer: the frame in which to put the
+    /// cursor into a field, which Enter has left.
     [[nodiscard]] bool isFresh() const { return freshFrames_ == kFreshFrames; }
+    void askAgain();
 
   private:
     static constexpr int kFreshFrames = 12;

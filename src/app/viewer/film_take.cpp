@@ -16,28 +16,28 @@ FilmTake::FilmTake(const Context& context, SceneView& view, const FilmSettings& 
     : view_(view),
       settings_(settings),
       film_(settings.file, settings.width, settings.height, settings.plan.framesPerSecond),
-      stage_(context),
+      drawing_(context, view.scene.loaded().packed, Backend::kAuto, showsCounters(view.view())),
       pilot_(view.pilot) {
-    stage_.setScene(view.scene.loaded(), showsCounters(view.view()));
-    wish_.width = settings.width;
-    wish_.height = settings.height;
-    wish_.view = view.view();
-    setMoment();
+    request_.width = settings.width;
+    request_.height = settings.height;
+    request_.view = view.view();
+    begin();
 }
 
-/// As SceneView shows a moment.
-void FilmTake::setMoment() {
-    wish_.time = settings_.plan.timeOf(frame_);
-    stage_.update(view_.scene.moment(wish_.time));
-    const Scene& posed = view_.scene.posed();
+/// The frame is drawn as `render` draws it.
+void FilmTake::begin() {
+    request_.time = settings_.plan.timeOf(frame_);
+    drawing_.update(view_.scene.moment(request_.time));
     // A camera that a hand holds stays where it is; the scene's own goes where the scene says.
     pilot_.follow(view_.sceneCamera(), false);
-    wish_.camera = settings_.plan.cameraOf(frame_, pilot_.camera);
-    wish_.samples = posed.render.samples;
-    wish_.bounces = posed.render.bounces;
-    wish_.ssaa = posed.render.ssaa;
-    wish_.seed = posed.render.seed;
-    budgetSeconds_ = posed.render.budgetMilliseconds / 1000;
+    request_.camera = settings_.plan.cameraOf(frame_, pilot_.camera);
+    const RenderSettings& render = view_.scene.posed().render;
+    request_.samples = render.samples;
+    request_.bounces = render.bounces;
+    request_.ssaa = render.ssaa;
+    request_.seed = render.seed;
+    budgetSeconds_ = render.budgetMilliseconds / 1000;
+    drawing_.begin(request_);
 }
 
 void FilmTake::step() {
@@ -46,19 +46,19 @@ void FilmTake::step() {
     if (state == FilmThread::State::kFailed) throw MachineError(film_.problem());
     written_ = state == FilmThread::State::kWritten;
     if (drawn()) return;
-    stage_.draw(wish_, budgetSeconds_);
-    begun_ = begun_ || stage_.samplesDrawn() > 0;
-    if (!stage_.finished() || !film_.waitForRoom(kEncoderWait)) return;
-    film_.add(stage_.image());
+    const auto whole = [this] { return drawing_.samplesDrawn() == request_.samples; };
+    if (!whole() && drawing_.advance(budgetSeconds_)) picture_ = &drawing_.display();
+    if (!whole() || !film_.waitForRoom(kEncoderWait)) return;
+    film_.add(drawing_.picture());
     if (++frame_ < settings_.plan.frames())
-        setMoment();
+        begin();
     else
         film_.close();
 }
 
 float FilmTake::frameShare() const {
-    return static_cast<float>(stage_.samplesDrawn()) /
-           static_cast<float>(std::max(1, wish_.samples));
+    return static_cast<float>(drawing_.samplesDrawn()) /
+           static_cast<float>(std::max(1, request_.samples));
 }
 
 }  // namespace vitrine

@@ -32,20 +32,21 @@ class FilmTake {
     /// The share of the frame that is being drawn.
     [[nodiscard]] float frameShare() const;
     /// The frame as far as it is drawn; null as long as there is nothing to see.
-    [[nodiscard]] const Texture* picture() const { return begun_ ? stage_.picture() : nullptr; }
+    [[nodiscard]] const Texture* picture() const { return picture_; }
     [[nodiscard]] const FilmSettings& settings() const { return settings_; }
 
   private:
-    void setMoment();
+    void begin();
     SceneView& view_;
     FilmSettings settings_;
     FilmThread film_;
-    Stage stage_;
+    Frame drawing_;
     Pilot pilot_;
-    Stage::Wish wish_;
+    FrameRequest request_;
+    const Texture* picture_ = nullptr;
     double budgetSeconds_ = 0;
     int frame_ = 0;
-    bool begun_ = false, written_ = false;
+    bool written_ = false;
 };
 
 }  // namespace vitrine

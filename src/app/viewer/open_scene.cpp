@@ -150,21 +150,49 @@ bool OpenScene::canSave() const {
     return isScene(file_);
 }
 
+/// The scene's file, or what stands for it, with the edits in it.
+std::string OpenScene::editedText(Diagnostics& diagnostics) const {
+    std::string text;
+    if (canSave()) {
+        text = readFile(file_, kMaxSceneBytes);
+    } else {
+        ModelLibrary library;
+        FieldProber prober;
+        text = sceneAround(file_, library, prober, diagnostics).value_or("");
+    }
+    return editSceneText(text, file_, edits.assignments(), diagnostics);
+}
+
 std::string OpenScene::save() {
     if (edits.empty()) return "nothing has been changed";
-    if (!canSave()) return "only scenes (.toml) can be saved";
+    if (!canSave()) return "only scenes (.toml) can be saved; \"Save as\" makes one of this";
     try {
         Diagnostics diagnostics;
-        const std::string before = readFile(file_, kMaxSceneBytes);
-        const std::string after = editSceneText(before, file_, edits.assignments(), diagnostics);
+        const std::string text = editedText(diagnostics);
         if (diagnostics.hasErrors()) return "not saved: " + diagnostics.text();
-        if (after != before) writeFileAtomically(file_, after);
+        if (text != readFile(file_, kMaxSceneBytes)) writeFileAtomically(file_, text);
         const size_t values = edits.assignments().size();
         edits.clear();
         return fmt::format("saved {} value{} to {}", values, values == 1 ? "" : "s", file_);
     } catch (const std::exception& error) {
         return fmt::format("not saved: {}", error.what());
     }
+}
+
+std::string OpenScene::saveAs(const std::string& file) {
+    try {
+        Diagnostics diagnostics;
+        const std::string text = editedText(diagnostics);
+        if (diagnostics.hasErrors()) return "not saved: " + diagnostics.text();
+        writeFileAtomically(file, text);
+    } catch (const std::exception& error) {
+        return fmt::format("not saved: {}", error.what());
+    }
+    file_ = file;
+    edits.clear();
+    files_.insert(file_);
+    watch_.watch(files_);
+    return "saved as " + file_;
 }
 
 }  // namespace vitrine

@@ -52,6 +52,10 @@ class OpenScene {
     [[nodiscard]] bool canSave() const;
     /// Writes the edits into the file. Returns a sentence about it.
     std::string save();
+    /// Writes the scene with the edits into another file of the same folder, and goes on with that
+    /// one: file() tells whether it was possible. Of a model or a field the scene that is put
+    /// around it. Returns a sentence about it.
+    std::string saveAs(const std::string& file);
 
     /// What is wrong with the files as they are now; empty: nothing.
     [[nodiscard]] const Diagnostics& problems() const { return problems_; }
@@ -62,6 +66,7 @@ class OpenScene {
   private:
     bool load();
     bool takeNumbers();
+    [[nodiscard]] std::string editedText(Diagnostics& diagnostics) const;
 
     std::string file_;
     std::vector<std::string> given_;

@@ -10,8 +10,14 @@ std::string titleFor(const std::string& file) {
 }
 
 void SceneFiles::addCommands(std::vector<Command>& list) {
+    list.push_back({"File", "Open", "Ctrl+O", 'O', true, false, [this] { askToOpen(); }});
+    for (const std::string& file : recent_.files())
+        list.push_back(
+            {"File/Open recent", file, "", 0, false, false, [this, file] { open(file); }});
     list.push_back({"File", "Save the changes", "Ctrl+S", 'S', true, false,
                     [this] { notices_.say(view_.scene.save()); }});
+    list.push_back({"File", "Save as", "Ctrl+Shift+S", 'S', true, true,
+                    [this] { saveDialogue_.open(view_.scene.file()); }});
     list.push_back(
         {"Edit", "Undo", "Ctrl+Z", 'Z', true, false, [this] { view_.scene.edits.undo(); }});
     list.push_back(
@@ -20,11 +26,24 @@ void SceneFiles::addCommands(std::vector<Command>& list) {
 
 void SceneFiles::draw(glm::vec2 pictureSize) {
     notices_.draw(view_.scene.problems(), pictureSize);
+    if (const auto file = openDialogue_.draw()) open(*file);
+    if (const auto file = saveDialogue_.draw()) save(*file);
 }
 
 void SceneFiles::update() {
     const std::vector<std::string> files = window_.takeDroppedFiles();
     if (!files.empty()) open(files.front(), files.size());
+}
+
+bool SceneFiles::takeKey(const KeyPress& press) {
+    return openDialogue_.takeKey(press) || saveDialogue_.takeKey(press);
+}
+
+void SceneFiles::save(const std::string& file) {
+    notices_.say(view_.scene.saveAs(file));
+    if (view_.scene.file() != file) return;
+    window_.setTitle(titleFor(file));
+    recent_.add(file);
 }
 
 void SceneFiles::open(const std::string& file, size_t of) {
@@ -34,10 +53,12 @@ void SceneFiles::open(const std::string& file, size_t of) {
 }
 
 void SceneFiles::show(const std::string& file, size_t of) {
+    ++attempts_;
     const Diagnostics problems = view_.open(file);
     if (problems.hasErrors()) return notices_.refuse(problems);
     notices_.forgetRefusal();
     window_.setTitle(titleFor(file));
+    recent_.add(file);
     notices_.say(of == 1 ? "opened " + file : fmt::format("opened {}, the first of {}", file, of));
 }
 

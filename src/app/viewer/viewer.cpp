@@ -21,6 +21,8 @@
 #include "app/viewer/pointer.hpp"
 #include "app/viewer/recorder.hpp"
 #include "app/viewer/scene_files.hpp"
+#include "app/viewer/start_page.hpp"
+#include "app/viewer/user_folders.hpp"
 #include "app/viewer/view_menu.hpp"
 #include "base/file.hpp"
 
@@ -51,19 +53,32 @@ std::unique_ptr<Window> openWindow(const ViewOptions& options) {
     return window;
 }
 
+std::filesystem::path recentList() {
+    const std::filesystem::path folder = stateFolder();
+    return folder.empty() ? folder : folder / "recent";
+}
+
 class Viewer {
   public:
     explicit Viewer(const ViewOptions& options)
         : timings_(options.timings),
           window_(openWindow(options)),
           view_(*window_, options.file, options.camera, options.overrides),
-          notices_(*window_) {
+          notices_(*window_),
+          recent_(recentList()) {
         // Behind those that come later. The menus stand in the order in which they come first.
         auto recorder = std::make_unique<Recorder>(*window_, view_, notices_);
         auto leaving = std::make_unique<Leaving>(*window_, view_, notices_, *recorder);
         auto playback = std::make_unique<Playback>(view_, *recorder);
         leaving_ = leaving.get();
-        tools_.push_back(std::make_unique<SceneFiles>(*window_, view_, notices_, *leaving_));
+        auto files = std::make_unique<SceneFiles>(*window_, view_, notices_, *leaving_, recent_);
+        auto start = std::make_unique<StartPage>(*window_, view_, *files, recent_, options.scenes,
+                                                 options.version);
+        if (options.startPage)
+            start->open();
+        else
+            recent_.add(options.file);
+        tools_.push_back(std::move(files));
         tools_.push_back(std::make_unique<PictureOutput>(view_, notices_));
         tools_.push_back(std::move(recorder));
         tools_.push_back(std::make_unique<Inspector>(*window_, view_));
@@ -71,11 +86,13 @@ class Viewer {
         tools_.push_back(std::make_unique<Pointer>(view_));
         tools_.push_back(std::move(playback));
         tools_.push_back(std::make_unique<ViewMenu>(view_));
+        tools_.push_back(std::move(start));
         tools_.push_back(std::move(leaving));
     }
 
     int run() {
         while (!closed_) step();
+        window_->hide();
         if (timings_ == "-")
             fmt::print("{}", latencies_.table());
         else if (!timings_.empty())
@@ -194,6 +211,7 @@ class Viewer {
     std::unique_ptr<Window> window_;
     SceneView view_;
     Notices notices_;
+    RecentFiles recent_;
     std::vector<std::unique_ptr<Tool>> tools_;
     Leaving* leaving_ = nullptr;
     bool closed_ = false;
