@@ -54,7 +54,7 @@ std::string freeSceneName(const std::string& scene) {
     const fs::path folder = folderOf(scene);
     std::string stem = fs::path(scene).filename().string();
     for (const std::string_view ending : {".toml", ".sdf.glsl", ".gltf", ".glb", ".obj"})
-        if (endsWith(stem, ending)) stem.resize(stem.size() - ending.size());
+        if (endsWith(stem, ending)) stem.erase(stem.size() - ending.size());
     std::string name = stem + std::string(kEnding);
     std::error_code error;
     for (int i = 2; fs::exists(folder / name, error); ++i)
