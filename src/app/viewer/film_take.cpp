@@ -47,7 +47,9 @@ void FilmTake::step() {
     written_ = state == FilmThread::State::kWritten;
     if (drawn()) return;
     const auto whole = [this] { return drawing_.samplesDrawn() == request_.samples; };
-    if (!whole() && drawing_.advance(budgetSeconds_)) picture_ = &drawing_.display();
+    // What is shown are whole frames, and at first what there is.
+    if (!whole() && drawing_.advance(budgetSeconds_) && (whole() || frame_ == 0))
+        picture_ = &drawing_.display();
     if (!whole() || !film_.waitForRoom(kEncoderWait)) return;
     film_.add(drawing_.picture());
     if (++frame_ < settings_.plan.frames())

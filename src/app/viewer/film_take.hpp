@@ -31,7 +31,7 @@ class FilmTake {
     [[nodiscard]] int framesDone() const { return frame_; }
     /// The share of the frame that is being drawn.
     [[nodiscard]] float frameShare() const;
-    /// The frame as far as it is drawn; null as long as there is nothing to see.
+    /// The last whole frame, the first one as far as it is drawn; null: there is nothing to see.
     [[nodiscard]] const Texture* picture() const { return picture_; }
     [[nodiscard]] const FilmSettings& settings() const { return settings_; }
 
