@@ -113,12 +113,8 @@ TEST_F(CompileTest, EveryProgramIsReadyInASecond) {
     // The last: with the short cuts of fields, which no scene takes unasked.
     const std::vector<std::string> quick{"render.ao_mode=taps", "render.shadows=penumbra",
                                          "light.key.radius=2"};
-    const Case scenes[] = {{"lesson-both"},
-                           {"lesson-both", true},
-                           {"robot"},
-                           {"vitrine-case"},
-                           {"patterns"},
-                           {"robot", false, quick}};
+    const Case scenes[] = {{"lesson-both"},  {"lesson-both", true}, {"robot"},
+                           {"vitrine-case"}, {"patterns"},          {"robot", false, quick}};
     for (const auto& [name, counters, overrides] : scenes) {
         SCOPED_TRACE(name);
         Diagnostics diagnostics;
@@ -131,6 +127,32 @@ TEST_F(CompileTest, EveryProgramIsReadyInASecond) {
             measurePasses(context(), loaded, backend, counters);
             if (!counters) measureQueries(context(), loaded, backend);
         }
+    }
+}
+
+// With textures (tank) and with a sky's picture, whose samplers are of another kind.
+TEST_F(CompileTest, TheSecondSampleCompilesNothing) {
+    ASSERT_EQ(kCacheIsOff, 0);
+    for (const char* name : {"lesson-both", "tank", "patterns"}) {
+        Diagnostics diagnostics;
+        const LoadedScene loaded = loadAll(fmt::format("scenes/{}.toml", name), {}, diagnostics);
+        diagnostics.throwIfErrors();
+        Frame frame(context(), loaded.packed, Backend::kFragment, false);
+        FrameRequest request;
+        request.width = request.height = kSide + 1;
+        request.camera = loaded.scene.cameras[0];
+        request.samples = 2;
+        frame.begin(request);
+        const auto sample = [&] {
+            return secondsOf(context(), [&] {
+                frame.drawSample();
+                finishGpu();
+            });
+        };
+        const double first = sample(), second = sample();
+        fmt::print("{:<15} first sample {:6.0f} ms, second {:6.0f} ms\n", name, 1e3 * first,
+                   1e3 * second);
+        EXPECT_LT(second, first / 4) << name;
     }
 }
 

@@ -67,8 +67,21 @@ ReadRecord::~ReadRecord() {
     if (outer_ != nullptr) outer_->files_.merge(files_);
 }
 
+void ReadRecord::note(const FileStamps& files) {
+    if (innermostRecord != nullptr) innermostRecord->files_.insert(files.begin(), files.end());
+}
+
+FileStamp stampOf(const fs::path& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) return {};
+    return {status.st_mtim.tv_sec * 1'000'000'000 + status.st_mtim.tv_nsec,
+            static_cast<uint64_t>(status.st_size), static_cast<uint64_t>(status.st_ino)};
+}
+
 std::string readFile(const fs::path& path, uint64_t maxBytes) {
-    if (innermostRecord != nullptr) innermostRecord->files_.insert(path.lexically_normal());
+    // Before it is read: a change meanwhile is a change afterwards.
+    if (innermostRecord != nullptr)
+        innermostRecord->files_.emplace(path.lexically_normal(), stampOf(path));
     const auto fail = [&](const std::string& why) -> InputError {
         return {SourceLocation{path.string()}, why};
     };

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <set>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +17,16 @@ namespace vitrine {
 /// `maxBytes`.
 std::string readFile(const std::filesystem::path& path, uint64_t maxBytes);
 
+/// What tells one state of a file from another without reading it.
+struct FileStamp {
+    int64_t nanoseconds = -1;  ///< of the last change; -1: there is no such file
+    uint64_t size = 0, inode = 0;
+    bool operator==(const FileStamp&) const = default;
+};
+FileStamp stampOf(const std::filesystem::path& path);
+/// Files, and the state that each was in when it was read.
+using FileStamps = std::map<std::filesystem::path, FileStamp>;
+
 /// Notes the files that readFile() is asked for on this thread while it lives, missing ones as
 /// well: what a scene depends on. Records may be nested; the inner one tells the outer one.
 class ReadRecord {
@@ -25,12 +35,14 @@ class ReadRecord {
     ~ReadRecord();
     ReadRecord(const ReadRecord&) = delete;
     ReadRecord& operator=(const ReadRecord&) = delete;
-    [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
+    [[nodiscard]] const FileStamps& files() const { return files_; }
+    /// As if these had been read now: for who remembers what is in them.
+    static void note(const FileStamps& files);
 
   private:
     friend std::string readFile(const std::filesystem::path& path, uint64_t maxBytes);
     ReadRecord* outer_;
-    std::set<std::filesystem::path> files_;
+    FileStamps files_;
 };
 
 /// Where `reference`, written in a file of the folder `root`, points. Throws std::invalid_argument

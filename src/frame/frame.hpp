@@ -60,6 +60,10 @@ class Frame {
     /// `counters`: count rays, nodes and loops; needed by some views and for statistics.
     Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters);
 
+    /// Whether update() leaves the programs as they are; else all are compiled anew.
+    [[nodiscard]] bool covers(const PackedMoment& moment) const {
+        return context_.programs.covers(moment);
+    }
     /// Shows another moment of the scene from the next begin() on: transforms, materials,
     /// parameters, lights, settings.
     void update(const PackedMoment& moment);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/pass_context.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace vitrine {
@@ -10,6 +11,24 @@ void PathImages::allocate(int width, int height) {
     origin = Texture(width, height, TexelFormat::kRgba32f);
     direction = Texture(width, height, TexelFormat::kRgba32f);
     throughput = Texture(width, height, TexelFormat::kRgba32f);
+}
+
+/// After a program with images that are not of floats, or filtered, in the places of buffers.
+void PassContext::restoreSamplers(const Program& program, const PassImages& images) {
+    if (!compilesPerSampler_ || program.isCompute()) return;
+    const auto early = [&program](const auto& input) {
+        const int unit = program.unit(input.first);
+        return unit >= 0 && unit < SamplerSlots::kOfBuffers;
+    };
+    const auto earlyInteger = [&](const auto& input) {
+        return input.second->format() == TexelFormat::kRgba32ui && early(input);
+    };
+    if (std::none_of(images.inputs.begin(), images.inputs.end(), earlyInteger) &&
+        std::none_of(images.arrays.begin(), images.arrays.end(), early) &&
+        std::none_of(images.pictures.begin(), images.pictures.end(), early))
+        return;
+    if (!samplerSlots_) samplerSlots_.emplace();
+    samplerSlots_->fill();
 }
 
 void PassContext::run(const std::string& pass, PassImages images) {
@@ -25,6 +44,7 @@ void PassContext::run(const std::string& pass, PassImages images) {
     uniforms_.upload(std::as_bytes(std::span(&block, 1)));
     if (timing) timer_.begin(pass);
     runner_.run(program, uniforms_, images, rows);
+    restoreSamplers(program, images);
     if (timing) timer_.end();
     if (counts) std::swap(counters[0], counters[1]);
 }
@@ -43,6 +63,7 @@ void PassContext::draw(const std::string& pass, const RasterImages& images,
     uniforms_.upload(std::as_bytes(std::span(&block, 1)));
     if (timing) timer_.begin(pass);
     rasterRunner_.run(program, uniforms_, all, VITRINE_RECORD_MISS, draws);
+    restoreSamplers(program, {{}, {}, {}, all.arrays});
     if (timing) timer_.end();
     // The passes that follow add to what this one counted: nothing.
     if (counting) counters[0].clear();
@@ -58,6 +79,7 @@ void PassContext::drawBoxes(const std::string& pass, int onlyField, const Raster
     const bool timed = timing && target != BoxTarget::kSum;  // counting is no part of a frame
     if (timed) timer_.begin(pass);
     boxRunner_.run(program, uniforms_, all, target, VITRINE_RECORD_MISS, draws, rows);
+    restoreSamplers(program, {{}, {}, {}, all.arrays});
     if (timed) timer_.end();
 }
 
@@ -67,6 +89,7 @@ void PassContext::overlay(const std::string& pass, PassImages images, int vertic
     uniforms_.upload(std::as_bytes(std::span(&block, 1)));
     if (timing) timer_.begin(pass);
     overlayRunner_.run(program, uniforms_, images, vertices);
+    restoreSamplers(program, images);
     if (timing) timer_.end();
 }
 

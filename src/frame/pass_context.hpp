@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "frame/gpu_scene.hpp"
@@ -11,6 +12,7 @@
 #include "gpu/box_pass.hpp"
 #include "gpu/overlay_pass.hpp"
 #include "gpu/raster_pass.hpp"
+#include "gpu/sampler_slots.hpp"
 #include "gpu/timer.hpp"
 
 namespace vitrine {
@@ -24,7 +26,10 @@ struct PathImages {
 class PassContext {
   public:
     PassContext(const GpuInfo& gpu, ProgramSet set, bool count)
-        : programs(std::move(set)), counting(count), timer_(gpu.software) {}
+        : programs(std::move(set)),
+          counting(count),
+          compilesPerSampler_(gpu.software),
+          timer_(gpu.software) {}
 
     /// Runs the pass of this name over the pixels of `rows`. The scene's buffers are always there
     /// for it.
@@ -54,6 +59,9 @@ class PassContext {
     bool timing = false;
 
   private:
+    void restoreSamplers(const Program& program, const PassImages& images);
+    const bool compilesPerSampler_;
+    std::optional<SamplerSlots> samplerSlots_;
     PassRunner runner_;
     RasterRunner rasterRunner_;
     BoxRunner boxRunner_;

@@ -104,17 +104,23 @@ ProgramSet::ProgramSet(const GpuInfo& gpu, Backend backend, GeneratedShaders sha
       shaders_(std::move(shaders)),
       features_(features) {}
 
+ProgramFeatures ProgramSet::joined(const PackedMoment& moment) const {
+    ProgramFeatures all = features_;
+    all.layers |= moment.hasLayers;
+    all.transmission |= moment.hasTransmission;
+    all.subsurface |= moment.hasSubsurface;
+    all.classic |= moment.hasClassic;
+    all.curvature |= moment.hasCurvature;
+    all.filters |= moment.hasFilters;
+    all.culling |= moment.hasCulling;
+    all.cones |= moment.hasCones;
+    return all;
+}
+
 void ProgramSet::require(const PackedMoment& moment) {
-    const ProgramFeatures before = features_;
-    features_.layers |= moment.hasLayers;
-    features_.transmission |= moment.hasTransmission;
-    features_.subsurface |= moment.hasSubsurface;
-    features_.classic |= moment.hasClassic;
-    features_.curvature |= moment.hasCurvature;
-    features_.filters |= moment.hasFilters;
-    features_.culling |= moment.hasCulling;
-    features_.cones |= moment.hasCones;
-    if (features_ != before) programs_.clear();
+    if (covers(moment)) return;
+    features_ = joined(moment);
+    programs_.clear();
 }
 
 const Program& ProgramSet::get(const std::string& pass, int onlyField) {

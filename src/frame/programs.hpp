@@ -63,12 +63,17 @@ class ProgramSet {
     /// Throws InputError, placed in the user's snippet, if a snippet does not compile, and
     /// std::logic_error with the place if one of our own shaders does not.
     const Program& get(const std::string& pass, int onlyField = kAllFields);
+    /// Whether the programs can do what this moment needs.
+    [[nodiscard]] bool covers(const PackedMoment& moment) const {
+        return joined(moment) == features_;
+    }
     /// From now on the programs can do what this moment needs besides what they could.
     void require(const PackedMoment& moment);
     [[nodiscard]] Backend backend() const { return backend_; }
     [[nodiscard]] double compileSeconds() const { return compileSeconds_; }
 
   private:
+    [[nodiscard]] ProgramFeatures joined(const PackedMoment& moment) const;
     const GpuInfo gpu_;
     Backend backend_;
     GeneratedShaders shaders_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "gpu/sampler_slots.hpp"
 
 namespace vitrine {
 namespace {
@@ -130,6 +131,7 @@ void Context::queryInfo() {
         if (info_.renderer.find(name) != std::string::npos) info_.software = true;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &info_.maxTextureBufferTexels);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info_.maxTextureSize);
+    if (info_.software) SamplerSlots().fill();
 }
 
 std::unique_ptr<Context> Context::createHeadless() {

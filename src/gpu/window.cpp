@@ -33,14 +33,17 @@ class WindowContext final : public Context {
     WindowContext() { queryInfo(); }
 };
 
-GLFWwindow* createWindow(int width, int height, const std::string& title) {
+/// With `shared`, nobody sees it: it is there for its context.
+GLFWwindow* createWindow(int width, int height, const std::string& title,
+                         GLFWwindow* shared = nullptr) {
+    glfwWindowHint(GLFW_VISIBLE, shared == nullptr ? GLFW_TRUE : GLFW_FALSE);
     for (const int minor : {5, 1}) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
         glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-        if (GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr))
+        if (GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, shared))
             return window;
     }
     return nullptr;
@@ -223,6 +226,18 @@ void Window::show(const Texture& picture, PixelRectangle part, PixelRectangle cl
 
 std::vector<KeyPress> Window::takeKeyPresses() {
     return std::exchange(pressed_, {});
+}
+
+std::unique_ptr<SharedContext> Window::makeContext() {
+    GLFWwindow* hidden = createWindow(1, 1, "", window_);
+    if (hidden == nullptr)
+        throw MachineError(
+            fmt::format("the driver gives no second OpenGL context ({})", lastGlfwError()));
+    return std::make_unique<SharedContext>(hidden);
+}
+
+void Window::ring() {
+    glfwPostEmptyEvent();
 }
 
 std::vector<std::string> Window::takeDroppedFiles() {

@@ -9,6 +9,7 @@
 
 #include "gpu/context.hpp"
 #include "gpu/no_display.hpp"
+#include "gpu/shared_context.hpp"
 #include "gpu/texture.hpp"
 
 struct GLFWwindow;
@@ -82,6 +83,12 @@ class Window {
     /// The keys pressed since the last call. ImGui forgets those that are up again when a frame
     /// begins, which may be late on a slow machine.
     std::vector<KeyPress> takeKeyPresses();
+    /// A context that shares the window's textures, buffers and programs. It must go before the
+    /// window. Throws MachineError if the driver has none to give.
+    [[nodiscard]] std::unique_ptr<SharedContext> makeContext();
+    /// From any thread: ends a wait in begin().
+    static void ring();
+
     /// The files dropped on the window since the last call.
     std::vector<std::string> takeDroppedFiles();
 

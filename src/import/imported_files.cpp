@@ -48,9 +48,7 @@ ImportedFile* ImportedFiles::open(const Reference& reference) {
 
 std::shared_ptr<const ImageRgba8> ImportedFiles::picture(ImportedFile& file, int image) {
     auto& known = file.pictures[static_cast<size_t>(image)];
-    if (known == nullptr)
-        known = std::make_shared<ImageRgba8>(decodeGltfImage(
-            file.model->images[static_cast<size_t>(image)], file.path, diagnostics_));
+    if (known == nullptr) known = library_.picture(*file.model, image, file.path, diagnostics_);
     return known;
 }
 
@@ -69,10 +67,11 @@ const std::string& ImportedFiles::material(ImportedFile& file, int number) {
     return name;
 }
 
-void ImportedFiles::giveMesh(Shape& shape, ImportedFile& file, ModelMesh mesh) {
+void ImportedFiles::giveMesh(Shape& shape, ImportedFile& file, const LibraryMesh& mesh) {
     for (size_t i = 0; i < mesh.materials.size(); ++i)
-        shape.partMaterials.emplace_back(mesh.mesh.partNames[i], material(file, mesh.materials[i]));
-    shape.imported = std::make_shared<Mesh>(std::move(mesh.mesh));
+        shape.partMaterials.emplace_back(mesh.mesh->partNames[i],
+                                         material(file, mesh.materials[i]));
+    shape.imported = mesh.mesh;
 }
 
 void ImportedFiles::fillShape(size_t number) {
@@ -96,16 +95,15 @@ std::vector<Shape> ImportedFiles::joined(ImportedFile& file, const Reference& re
                                        reference.name, size.triangles));
         return {};
     }
-    size_t skipped = 0;
-    auto mesh = joinScene(*file.model, skipped);
-    if (skipped > 0) warnSkippedNodes(reference, skipped, diagnostics_);
-    if (!mesh) {
+    const auto mesh = library_.wholeScene(*file.model);
+    if (mesh->skipped > 0) warnSkippedNodes(reference, mesh->skipped, diagnostics_);
+    if (mesh->mesh == nullptr) {
         diagnostics_.error(reference.where,
                            fmt::format("'{}' has no triangles to show", reference.name));
         return {};
     }
     std::vector<Shape> shapes(1);
-    giveMesh(shapes[0], file, std::move(*mesh));
+    giveMesh(shapes[0], file, *mesh);
     return shapes;
 }
 
@@ -114,13 +112,13 @@ const ImportedFile::MeshShape& ImportedFiles::shape(ImportedFile& file, int mesh
     if (known.known) return known;
     known.known = true;
     const GltfMesh& source = file.model->meshes[static_cast<size_t>(mesh)];
-    auto joined = joinMesh(*file.model, source);
-    if (!joined) return known;
+    const auto joined = library_.mesh(*file.model, mesh);
+    if (joined->mesh == nullptr) return known;
     Shape made;
     made.name = known.name = shapeNames_.make(file.name + '/' + source.name);
     made.where = {file.path};
-    known.parts = joined->mesh.partNames;
-    giveMesh(made, file, std::move(*joined));
+    known.parts = joined->mesh->partNames;
+    giveMesh(made, file, *joined);
     scene_.shapes.push_back(std::move(made));
     return known;
 }

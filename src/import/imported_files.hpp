@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gltf/model.hpp"
 #include "import/model_library.hpp"
-#include "import/model_mesh.hpp"
 #include "import/model_names.hpp"
 #include "scene/scene.hpp"
 
@@ -17,7 +15,7 @@ namespace vitrine {
 
 struct ImportedFile {
     std::string path, name;  ///< `name`: in front of the names of its materials
-    std::shared_ptr<const GltfModel> model;
+    std::shared_ptr<const LibraryModel> model;
     std::vector<std::string> partNames;
     std::vector<std::shared_ptr<const ImageRgba8>> pictures;  ///< one an image, when used
     std::vector<std::string> materials;  ///< names in the scene, one a part name, when used
@@ -47,7 +45,7 @@ class ImportedFiles {
   private:
     std::shared_ptr<const ImageRgba8> picture(ImportedFile& file, int image);
     const std::string& material(ImportedFile& file, int number);
-    void giveMesh(Shape& shape, ImportedFile& file, ModelMesh mesh);
+    void giveMesh(Shape& shape, ImportedFile& file, const LibraryMesh& mesh);
     std::vector<Shape> joined(ImportedFile& file, const Reference& reference);
 
     Scene& scene_;

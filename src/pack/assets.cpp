@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -27,36 +28,22 @@ constexpr uint64_t kMaxPictureBytes = 256u << 20;
 /// Reads the files of one scene, each once.
 class AssetReader {
   public:
-    AssetReader(const Scene& scene, Diagnostics& diagnostics)
-        : scene_(scene), diagnostics_(diagnostics) {}
+    AssetReader(const Scene& scene, AssetCache& cache, Diagnostics& diagnostics)
+        : scene_(scene), cache_(cache), diagnostics_(diagnostics) {}
 
     std::shared_ptr<const MeshAsset> mesh(const Shape& shape) {
-        if (shape.imported != nullptr) return build(shape.imported);
-        std::optional<Mesh> mesh;
-        if (!shape.mesh.empty()) {
-            const auto known = meshes_.find(shape.mesh.name);
-            if (known != meshes_.end()) return known->second;
-            if (isModelFile(shape.mesh.name)) return nullptr;  // what is wrong has been said
-            if (!endsWith(shape.mesh.name, ".obj"))
-                diagnostics_.error(shape.mesh.where, "a mesh is an .obj, .gltf or .glb file");
-            else if (const auto text = read(shape.mesh, kMaxObjBytes))
-                mesh = readObj(*text, path_, diagnostics_);
-        } else if (shape.box) {
-            mesh = makeBox(shape.box->size * 0.5f);
-        } else if (shape.sphere) {
-            mesh = makeSphere(shape.sphere->radius);
-        } else if (shape.plane) {
-            mesh = makePlane(shape.plane->size.x * 0.5f, shape.plane->size.z * 0.5f);
-        } else if (shape.torus) {
-            const TorusShape& t = *shape.torus;
-            mesh = makeTorus(t.radius, t.tube, t.segments, t.sides, t.arc);
-        } else if (shape.cylinder) {
-            mesh = makeCylinder(shape.cylinder->radius, shape.cylinder->height * 0.5f);
-        }
-        std::shared_ptr<const MeshAsset> asset;
-        if (mesh) asset = build(std::make_shared<Mesh>(std::move(*mesh)));
-        if (!shape.mesh.empty()) meshes_[shape.mesh.name] = asset;
-        return asset;
+        // Shapes that share a mesh share its tree. The tree keeps the mesh, and so its address.
+        if (shape.imported != nullptr)
+            return tree(fmt::format("{}", fmt::ptr(shape.imported.get())),
+                        [&] { return shape.imported; });
+        const auto make = [&]() -> std::shared_ptr<const Mesh> {
+            auto mesh = makeMesh(shape);
+            return mesh ? std::make_shared<const Mesh>(std::move(*mesh)) : nullptr;
+        };
+        if (shape.mesh.empty()) return tree(keyOf(shape), make);
+        const auto known = meshes_.find(shape.mesh.name);
+        if (known != meshes_.end()) return known->second;
+        return meshes_[shape.mesh.name] = tree(pathOf(shape.mesh), make);
     }
 
     std::shared_ptr<const Snippet> snippet(const Reference& file, SnippetKind kind,
@@ -80,19 +67,32 @@ class AssetReader {
         if (texture.file.empty()) return texture.image;
         const auto known = pictures_.find(texture.file.name);
         if (known != pictures_.end()) return known->second;
-        std::shared_ptr<const ImageRgba8> asset;
-        if (const auto bytes = read(texture.file, kMaxPictureBytes)) {
-            try {
-                asset = std::make_shared<ImageRgba8>(decodeImage(
-                    {reinterpret_cast<const uint8_t*>(bytes->data()), bytes->size()}, path_));
-            } catch (const InputError& e) {
-                diagnostics_.append(e.diagnostics());
-            }
-        }
+        const auto asset =
+            cache_.pictures.get(pathOf(texture.file), [&]() -> std::shared_ptr<const ImageRgba8> {
+                const auto bytes = read(texture.file, kMaxPictureBytes);
+                if (!bytes) return nullptr;
+                try {
+                    return std::make_shared<ImageRgba8>(decodeImage(
+                        {reinterpret_cast<const uint8_t*>(bytes->data()), bytes->size()}, path_));
+                } catch (const InputError& e) {
+                    diagnostics_.append(e.diagnostics());
+                    return nullptr;
+                }
+            });
         return pictures_[texture.file.name] = asset;
     }
 
-    std::shared_ptr<const SkyAsset> sky(const Environment& environment) {
+    std::shared_ptr<const SkyAsset> sky(const Environment& e) {
+        if (e.atmosphere)
+            return cache_.skies.get(fmt::format("{} {} {} {} {}", e.sunElevation, e.turbidity,
+                                                e.ground.rgb.x, e.ground.rgb.y, e.ground.rgb.z),
+                                    [&] { return makeSky(e); });
+        if (e.picture.empty()) return nullptr;
+        return cache_.skies.get(pathOf(e.picture), [&] { return makeSky(e); });
+    }
+
+  private:
+    std::shared_ptr<const SkyAsset> makeSky(const Environment& environment) {
         auto asset = std::make_shared<SkyAsset>();
         if (environment.atmosphere) {
             const Atmosphere air = makeAtmosphere(
@@ -101,7 +101,6 @@ class AssetReader {
             asset->sun = {air.sunIrradiance, kSunRadiusDegrees};
             return asset;
         }
-        if (environment.picture.empty()) return nullptr;
         const auto bytes = read(environment.picture, kMaxPictureBytes);
         if (!bytes) return nullptr;
         try {
@@ -121,7 +120,6 @@ class AssetReader {
         return asset;
     }
 
-  private:
     ImageRgba32f decodeSkyExr(std::span<const uint8_t> content) const {
         const ImageSize size = exrSize(content, path_);
         if (size.pixelCount() > kMaxHdrPixels)
@@ -147,24 +145,74 @@ class AssetReader {
         return {};
     }
 
-    /// Shapes that share a mesh share its tree.
-    std::shared_ptr<const MeshAsset> build(const std::shared_ptr<const Mesh>& mesh) {
-        auto& known = built_[mesh.get()];
-        if (known != nullptr) return known;
+    std::optional<Mesh> makeMesh(const Shape& shape) {
+        if (!shape.mesh.empty()) {
+            if (isModelFile(shape.mesh.name)) return {};  // what is wrong has been said
+            if (!endsWith(shape.mesh.name, ".obj")) {
+                diagnostics_.error(shape.mesh.where, "a mesh is an .obj, .gltf or .glb file");
+                return {};
+            }
+            const auto text = read(shape.mesh, kMaxObjBytes);
+            return text ? readObj(*text, path_, diagnostics_) : std::nullopt;
+        }
+        if (shape.box) return makeBox(shape.box->size * 0.5f);
+        if (shape.sphere) return makeSphere(shape.sphere->radius);
+        if (shape.plane) return makePlane(shape.plane->size.x * 0.5f, shape.plane->size.z * 0.5f);
+        if (shape.torus) {
+            const TorusShape& t = *shape.torus;
+            return makeTorus(t.radius, t.tube, t.segments, t.sides, t.arc);
+        }
+        if (shape.cylinder)
+            return makeCylinder(shape.cylinder->radius, shape.cylinder->height * 0.5f);
+        return {};
+    }
+
+    /// What a built-in shape is made from.
+    static std::string keyOf(const Shape& shape) {
+        std::string key = shape.name;
+        const auto add = [&key](auto... values) { ((key += fmt::format(" {}", values)), ...); };
+        if (shape.box) add("box", shape.box->size.x, shape.box->size.y, shape.box->size.z);
+        if (shape.sphere) add("sphere", shape.sphere->radius);
+        if (shape.plane) add("plane", shape.plane->size.x, shape.plane->size.z);
+        if (const auto& t = shape.torus)
+            add("torus", t->radius, t->tube, t->segments, t->sides, t->arc);
+        if (shape.cylinder) add("cylinder", shape.cylinder->radius, shape.cylinder->height);
+        return key;
+    }
+
+    [[nodiscard]] std::string pathOf(const Reference& file) const {
+        return (scene_.folder / file.name).lexically_normal().string();
+    }
+
+    /// A mesh with its tree, which depends on what the scene says about trees as well.
+    std::shared_ptr<const MeshAsset> tree(
+        const std::string& key, const std::function<std::shared_ptr<const Mesh>()>& makeMesh) {
+        const TreeSettings& t = scene_.bvh;
+        const std::string whole =
+            fmt::format("{}\n{} {} {} {} {}", key, static_cast<int>(t.builder), t.maxLeafSize,
+                        t.traversalCost, t.maxDuplicates, t.minOverlap);
+        return cache_.trees.get(whole, [&]() -> std::shared_ptr<const MeshAsset> {
+            const auto mesh = makeMesh();
+            return mesh != nullptr ? build(mesh) : nullptr;
+        });
+    }
+
+    [[nodiscard]] std::shared_ptr<const MeshAsset> build(
+        const std::shared_ptr<const Mesh>& mesh) const {
         auto asset = std::make_shared<MeshAsset>();
         asset->mesh = mesh;
         const auto start = std::chrono::steady_clock::now();
         asset->bvh = buildTriangleBvh(mesh->positions, mesh->triangles, buildOptions(scene_.bvh));
         asset->buildSeconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        return known = asset;
+        return asset;
     }
 
     const Scene& scene_;
+    AssetCache& cache_;
     Diagnostics& diagnostics_;
     std::string path_;
     std::map<std::string, std::shared_ptr<const MeshAsset>> meshes_;
-    std::map<const Mesh*, std::shared_ptr<const MeshAsset>> built_;
     std::map<std::string, std::shared_ptr<const Snippet>> snippets_;
     std::map<std::string, std::shared_ptr<const ImageRgba8>> pictures_;
 };
@@ -180,8 +228,13 @@ std::array<const MaterialTexture*, VITRINE_SLOT_COUNT> materialTextures(const Ma
 }
 
 Assets loadAssets(const Scene& scene, Diagnostics& diagnostics) {
+    AssetCache cache;
+    return loadAssets(scene, cache, diagnostics);
+}
+
+Assets loadAssets(const Scene& scene, AssetCache& cache, Diagnostics& diagnostics) {
     Assets assets;
-    AssetReader reader(scene, diagnostics);
+    AssetReader reader(scene, cache, diagnostics);
     for (const Shape& shape : scene.shapes) {
         assets.meshes.push_back(shape.sdf.empty() ? reader.mesh(shape) : nullptr);
         assets.fields.push_back(reader.snippet(shape.sdf, SnippetKind::kField, ".sdf.glsl"));

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/reuse.hpp"
 #include "bvh/bvh.hpp"
 #include "mesh/mesh.hpp"
 #include "pack/sky_map.hpp"
@@ -45,8 +46,23 @@ struct Assets {
 /// The textures of a material in the order of VITRINE_SLOT_*.
 std::array<const MaterialTexture*, VITRINE_SLOT_COUNT> materialTextures(const Material& material);
 
+/// What has been read and built for a scene, for the next load of it.
+struct AssetCache {
+    Reuse<MeshAsset> trees;
+    Reuse<ImageRgba8> pictures;
+    Reuse<SkyAsset> skies;
+    /// A scene has been loaded: forgets what it did not need.
+    void sweep() {
+        trees.sweep();
+        pictures.sweep();
+        skies.sweep();
+    }
+};
+
 /// Reads everything the scene names. Files must lie in the scene's folder or below. Fields may lack
 /// bounds, which packing needs (app/session/field_prober.hpp finds them).
 Assets loadAssets(const Scene& scene, Diagnostics& diagnostics);
+/// The same, but takes from the cache what has not changed.
+Assets loadAssets(const Scene& scene, AssetCache& cache, Diagnostics& diagnostics);
 
 }  // namespace vitrine

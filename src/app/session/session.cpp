@@ -15,9 +15,9 @@
 namespace vitrine {
 
 LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                    FieldProber& prober, Diagnostics& diagnostics) {
+                    FieldProber& prober, SceneCache& cache, Diagnostics& diagnostics) {
     LoadedScene loaded;
-    ModelLibrary library;
+    ModelLibrary& library = cache.models;
     if (isBareFile(file)) {
         const auto text = sceneAround(file, library, prober, diagnostics);
         if (!text) return loaded;
@@ -29,10 +29,16 @@ LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::st
                          "not a scene (.toml), a model (.gltf, .glb, .obj) or a field (.sdf.glsl)");
     }
     importModels(loaded.scene, library, diagnostics);
-    loaded.assets = loadAssets(loaded.scene, diagnostics);
+    loaded.assets = loadAssets(loaded.scene, cache.assets, diagnostics);
     prober.measure(loaded.scene, loaded.assets, diagnostics);
     loaded.packed = packScene(loaded.scene, loaded.assets, diagnostics);
     return loaded;
+}
+
+LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                    FieldProber& prober, Diagnostics& diagnostics) {
+    SceneCache cache;
+    return loadAll(file, overrides, prober, cache, diagnostics);
 }
 
 LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,

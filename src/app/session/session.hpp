@@ -13,6 +13,7 @@
 #include "app/session/field_prober.hpp"
 #include "frame/frame.hpp"
 #include "gpu/context.hpp"
+#include "import/model_library.hpp"
 #include "pack/pack_scene.hpp"
 
 namespace vitrine {
@@ -24,11 +25,24 @@ struct LoadedScene {
     PackedScene packed;
 };
 
+/// What has been read and built for a scene, for the next load of it: only what has changed on the
+/// disk is made again. Warnings about what has not changed are given once.
+struct SceneCache {
+    ModelLibrary models;
+    AssetCache assets;
+    void sweep() {
+        models.sweep();
+        assets.sweep();
+    }
+};
+
 /// Reads a scene file, or a bare model or field. All that is wrong goes to `diagnostics`. Throws
 /// InputError if the file itself cannot be read. Fields are measured by `prober`, which may be kept
 /// for the next load.
 LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                     FieldProber& prober, Diagnostics& diagnostics);
+LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                    FieldProber& prober, SceneCache& cache, Diagnostics& diagnostics);
 /// With a prober of its own, that measures what is needed.
 LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                     Diagnostics& diagnostics);

@@ -19,7 +19,7 @@ class FileWatchTest : public testing::Test {
         a_ = folder_ / "a";
         b_ = folder_ / "b";
         write(a_, "one");
-        watch_.watch({a_, b_});
+        watch_.watch({{a_, stampOf(a_)}, {b_, stampOf(b_)}});
     }
     void TearDown() override { fs::remove_all(folder_); }
     static void write(const fs::path& file, const std::string& text) {
@@ -45,9 +45,11 @@ TEST_F(FileWatchTest, NoticesEveryWayOfWriting) {
     EXPECT_EQ(watch_.changed(), Files{a_});
 }
 
-TEST_F(FileWatchTest, ChangesBetweenTwoListsAreNotLost) {
-    write(a_, "changed before the new list came");
-    watch_.watch({a_});
+TEST_F(FileWatchTest, ChangesWhileAFileIsReadAreNotLost) {
+    const ReadRecord record;
+    (void)readFile(a_, 100);
+    write(a_, "changed after it was read, before anybody watches it");
+    watch_.watch(record.files());
     EXPECT_EQ(watch_.changed(), Files{a_});
     write(b_, "nobody looks");
     EXPECT_EQ(watch_.changed(), Files{});

@@ -12,7 +12,8 @@ bool Latencies::empty() const {
 }
 
 std::string Latencies::table() const {
-    static constexpr std::array kNames{"refine", "play", "turn", "pick", "edit", "reload"};
+    static constexpr std::array kNames{"refine", "play",   "turn",  "pick",
+                                       "edit",   "reload", "behind"};
     std::string text = fmt::format("{:8}{:>8}{:>12}{:>12}{:>12}\n", "step", "count", "median ms",
                                    "95 % ms", "longest ms");
     for (size_t i = 0; i < seconds_.size(); ++i) {

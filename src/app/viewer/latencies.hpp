@@ -10,8 +10,16 @@ namespace vitrine {
 
 class Latencies {
   public:
-    /// A step of the window's loop is of the last kind in this list that took part in it.
-    enum class Kind { kRefine, kPlay, kTurn, kPick, kEdit, kReload };
+    /// A step of the window's loop is of the last kind, up to kReload, that took part in it.
+    enum class Kind {
+        kRefine,
+        kPlay,
+        kTurn,
+        kPick,
+        kEdit,
+        kReload,
+        kBehind,  ///< no step: reading and compiling, while the window shows what it has
+    };
 
     /// From taking what has happened to showing the answer.
     void add(Kind kind, double seconds) { seconds_[static_cast<size_t>(kind)].push_back(seconds); }
@@ -20,7 +28,7 @@ class Latencies {
     [[nodiscard]] std::string table() const;
 
   private:
-    std::array<std::vector<double>, 6> seconds_;
+    std::array<std::vector<double>, 7> seconds_;
 };
 
 }  // namespace vitrine

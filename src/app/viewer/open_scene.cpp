@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 #include <iterator>
-#include <tuple>
 
 #include "app/session/bare_file.hpp"
 #include "base/file.hpp"
@@ -22,6 +22,15 @@ constexpr uint64_t kMaxSceneBytes = 16u << 20;
 
 bool isScene(const std::string& file) {
     return endsWith(file, ".toml");
+}
+
+/// Whether what was read for one is that of the other.
+bool fits(const Scene& a, const Scene& b) {
+    const auto same = [](const auto& x, const auto& y) {
+        return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                          [](const auto& i, const auto& k) { return i.name == k.name; });
+    };
+    return same(a.shapes, b.shapes) && same(a.materials, b.materials);
 }
 
 }  // namespace
@@ -45,89 +54,94 @@ bool changesOnlyNumbers(const std::vector<std::string>& before,
     });
 }
 
-OpenScene::OpenScene(const Context& context, std::string file, std::vector<std::string> overrides)
-    : file_(std::move(file)),
-      given_(std::move(overrides)),
-      prober_(FieldProber::Thoroughness::kNeeded, &context) {
-    if (!load()) problems_.throwIfErrors();
-}
-
 std::vector<std::string> OpenScene::overrides() const {
     std::vector<std::string> all = given_;
     for (std::string& assignment : edits.assignments()) all.push_back(std::move(assignment));
     return all;
 }
 
-bool OpenScene::load() {
-    Diagnostics diagnostics;
-    auto next = std::make_unique<LoadedScene>();
-    {
-        const ReadRecord record;
-        try {
-            *next = loadAll(file_, overrides(), prober_, diagnostics);
-        } catch (const InputError& error) {
-            diagnostics.append(error.diagnostics());
-        }
-        files_ = record.files();
+LoadRequest OpenScene::request() {
+    editsSeen_ = edits.version();
+    const bool sameText = loaded_ != nullptr && !textChanged_ && isScene(file_) &&
+                          changesOnlyNumbers(taken_, overrides());
+    waiting_ = LoadRequest{file_, overrides(), ++requests_, editsSeen_, sameText, false};
+    return *waiting_;
+}
+
+LoadRequest OpenScene::requestFor(const std::string& otherFile) {
+    LoadRequest request;
+    request.file = otherFile;
+    request.otherFile = true;
+    return request;
+}
+
+bool OpenScene::take(LoadResult result, const Diagnostics& problems) {
+    result.problems.append(problems);
+    const bool good = !result.problems.hasErrors();
+    const LoadRequest& request = result.request;
+    // Another request may have been made since; what is wrong now, it will tell.
+    const bool latest = request.otherFile || (waiting_ && waiting_->number == request.number);
+    if (!good && (request.otherFile || !latest)) return false;
+    if (request.otherFile) {
+        file_ = request.file;
+        given_.clear();
+        edits.clear();
     }
-    files_.insert(file_);
-    watch_.watch(files_);
-    editsTaken_ = edits.version();
-    problems_ = diagnostics;
-    if (diagnostics.hasErrors()) return false;
-    problems_ = {};
-    loaded_ = std::move(next);
-    taken_ = overrides();
-    models_ = {};
+    if (latest) {
+        waiting_.reset();
+        textChanged_ = false;
+        watch_.watch(std::move(result.files));
+        // Edits that were made meanwhile come next.
+        editsSeen_ = request.otherFile ? edits.version() : request.editsVersion;
+    }
+    problems_ = good ? Diagnostics() : std::move(result.problems);
+    if (!good) return false;
+    loaded_ = std::move(result.scene);
+    models_ = std::move(result.models);
+    taken_ = request.overrides;
     return true;
 }
 
 /// Reads the scene's text again, with the edits, and nothing else.
 bool OpenScene::takeNumbers() {
     Diagnostics diagnostics;
-    editsTaken_ = edits.version();
-    Scene next = loadScene(file_, overrides(), diagnostics);
-    importModels(next, models_, diagnostics);
-    if (!diagnostics.hasErrors()) {
+    editsSeen_ = edits.version();
+    try {
+        Scene next = loadScene(file_, overrides(), diagnostics);
+        importModels(next, models_, diagnostics);
+        diagnostics.throwIfErrors();
+        // Changed on the disk a moment ago: the next look at the files finds it.
+        if (!fits(next, loaded_->scene)) return false;
         std::swap(loaded_->scene, next);
         try {
             (void)moment(0);
-            taken_ = overrides();
-            problems_ = {};
-            return true;
-        } catch (const InputError& error) {
-            diagnostics = error.diagnostics();
+        } catch (const InputError&) {
             std::swap(loaded_->scene, next);
+            throw;
         }
+        taken_ = overrides();
+        problems_ = {};
+        return true;
+    } catch (const InputError& error) {
+        problems_ = error.diagnostics();
+        return false;
     }
-    problems_ = diagnostics;
-    return false;
-}
-
-Diagnostics OpenScene::open(std::string file) {
-    Diagnostics problems;
-    if (!canOpen(file)) {
-        problems.error({file}, "not a file that can be shown: .toml, .glb, .gltf, .obj, .sdf.glsl");
-        return problems;
-    }
-    const auto before =
-        std::tuple(file_, given_, edits, watch_, files_, problems_, editsTaken_, taken_);
-    file_ = std::move(file);
-    given_.clear();
-    edits.clear();
-    if (load()) return problems;
-    problems = std::move(problems_);
-    std::tie(file_, given_, edits, watch_, files_, problems_, editsTaken_, taken_) = before;
-    return problems;
 }
 
 OpenScene::Change OpenScene::follow(bool files) {
-    const bool filesChanged = files && !watch_.changed().empty();
-    if (!filesChanged && editsTaken_ == edits.version()) return Change::kNone;
+    if (files) {
+        const std::set<std::filesystem::path> changed = watch_.changed();
+        for (const std::filesystem::path& file : changed)
+            textChanged_ = textChanged_ || isScene(file.string());
+        if (!changed.empty()) return Change::kMustRead;
+    }
+    if (editsSeen_ == edits.version()) return Change::kNone;
+    const std::vector<std::string>& before = waiting_ ? waiting_->overrides : taken_;
     // While the files are broken, numbers of the last good scene cannot be trusted to fit them.
-    if (filesChanged || problems_.hasErrors() || !isScene(file_) ||
-        !changesOnlyNumbers(taken_, overrides()))
-        return load() ? Change::kAll : Change::kNone;
+    if (problems_.hasErrors() || !isScene(file_) || !changesOnlyNumbers(before, overrides()))
+        return Change::kMustRead;
+    // Numbers do not wait for a snippet; but those that may not fit this scene do, for the next.
+    if (waiting_ && !waiting_->sameText) return Change::kNone;
     return takeNumbers() ? Change::kNumbers : Change::kNone;
 }
 
@@ -156,9 +170,12 @@ std::string OpenScene::editedText(Diagnostics& diagnostics) const {
     if (canSave()) {
         text = readFile(file_, kMaxSceneBytes);
     } else {
-        ModelLibrary library;
-        FieldProber prober;
-        text = sceneAround(file_, library, prober, diagnostics).value_or("");
+        // On a thread of its own, whose OpenGL context takes no other one's place.
+        text = std::async(std::launch::async, [&] {
+                   ModelLibrary library;
+                   FieldProber prober;
+                   return sceneAround(file_, library, prober, diagnostics).value_or("");
+               }).get();
     }
     return editSceneText(text, file_, edits.assignments(), diagnostics);
 }
@@ -180,6 +197,7 @@ std::string OpenScene::save() {
 }
 
 std::string OpenScene::saveAs(const std::string& file) {
+    if (waiting_) return "not saved: the scene is still being read";
     try {
         Diagnostics diagnostics;
         const std::string text = editedText(diagnostics);
@@ -190,8 +208,8 @@ std::string OpenScene::saveAs(const std::string& file) {
     }
     file_ = file;
     edits.clear();
-    files_.insert(file_);
-    watch_.watch(files_);
+    // In no state that is known: the next look at the files reads it, and all that it names.
+    watch_.watch({{file_, {}}});
     return "saved as " + file_;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The scene that the window shows: its file, what has been changed by hand, and the files that it
-// depends on. Keeps the last good state whatever becomes of the files. Draws nothing.
+// depends on. Keeps the last good state whatever becomes of the files. Draws nothing, and waits for
+// nothing: who has it is told when something must be read, and reads it (load.hpp).
 #pragma once
 
 #include <memory>
@@ -8,10 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "app/session/session.hpp"
 #include "app/viewer/edits.hpp"
 #include "app/viewer/file_watch.hpp"
-#include "import/model_library.hpp"
+#include "app/viewer/load.hpp"
 
 namespace vitrine {
 
@@ -20,25 +20,32 @@ class OpenScene {
     /// What a call of follow() has found.
     enum class Change {
         kNone,
-        kNumbers,  ///< moment() gives other numbers for the same meshes, textures and snippets
-        kAll,      ///< loaded() is another scene
+        kNumbers,   ///< moment() gives other numbers for the same meshes, textures and snippets
+        kMustRead,  ///< more than numbers, or the files: carry out request()
     };
 
-    /// Throws InputError if the scene cannot be shown. `context` measures fields, is current and
-    /// outlives this.
-    OpenScene(const Context& context, std::string file, std::vector<std::string> overrides);
-
-    /// Shows another file from now on, without edits and without the command line's assignments.
-    /// Returns what is wrong if it cannot be read; then all stays as it was.
-    [[nodiscard]] Diagnostics open(std::string file);
+    /// Nothing is there until the first take().
+    OpenScene(std::string file, std::vector<std::string> overrides)
+        : file_(std::move(file)), given_(std::move(overrides)) {}
 
     /// Looks at the edits, and at the files if `files`.
     Change follow(bool files);
+    /// What is to be read: the file with the edits as they are now. From now on only what comes
+    /// after it is a change.
+    [[nodiscard]] LoadRequest request();
+    /// The same for another file, without edits and without the command line's assignments.
+    [[nodiscard]] static LoadRequest requestFor(const std::string& otherFile);
+    /// A request has not been answered.
+    [[nodiscard]] bool isWaiting() const { return waiting_.has_value(); }
+    /// Takes what was read for a request. With `problems` of its snippets, or of its own, the scene
+    /// before stays; and if it was for another file, all stays as it was. Returns whether there is
+    /// another scene now.
+    bool take(LoadResult result, const Diagnostics& problems);
 
     [[nodiscard]] const LoadedScene& loaded() const { return *loaded_; }
+    /// The same, for other threads, which leave LoadedScene::scene alone.
+    [[nodiscard]] std::shared_ptr<const LoadedScene> shared() const { return loaded_; }
     [[nodiscard]] const std::string& file() const { return file_; }
-    /// The files read for the last attempt to load.
-    [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
     /// The scene at a time, packed for Frame::update(). Throws InputError.
     [[nodiscard]] PackedMoment moment(float time);
     /// The scene of the last moment().
@@ -64,21 +71,21 @@ class OpenScene {
     Edits edits;
 
   private:
-    bool load();
     bool takeNumbers();
     [[nodiscard]] std::string editedText(Diagnostics& diagnostics) const;
 
     std::string file_;
     std::vector<std::string> given_;
-    FieldProber prober_;
     FileWatch watch_;
-    std::set<std::filesystem::path> files_;
-    std::unique_ptr<LoadedScene> loaded_;
+    std::shared_ptr<LoadedScene> loaded_;
     ModelLibrary models_;
     Scene posed_;
     Diagnostics problems_;
-    int editsTaken_ = 0;
-    std::vector<std::string> taken_;  ///< assignments in `loaded_`
+    int editsSeen_ = 0;                   ///< the version that is shown or asked for
+    std::vector<std::string> taken_;      ///< assignments in `loaded_`
+    std::optional<LoadRequest> waiting_;  ///< asked for, not taken yet
+    bool textChanged_ = false;            ///< on the disk, since it was taken last
+    int requests_ = 0;
 };
 
 /// Whether a file is a scene, a model or a field, by its name.

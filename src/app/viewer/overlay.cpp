@@ -80,6 +80,15 @@ void drawMessage(const std::string& text, glm::vec2 pictureSize) {
     ImGui::End();
 }
 
+void drawProgress(const std::string& text, glm::vec2 pictureSize) {
+    ImGui::SetNextWindowPos({pictureSize.x / 2, 8}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    ImGui::Begin("Progress", nullptr,
+                 kLabel | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    ImGui::TextUnformatted((text + " ...").c_str());
+    ImGui::End();
+}
+
 TimelineTouch drawTimeline(Timeline& timeline, glm::vec2 pictureSize) {
     ImGui::SetNextWindowPos({0, pictureSize.y}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSize({pictureSize.x, 0});

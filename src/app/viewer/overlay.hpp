@@ -16,6 +16,8 @@ void drawProblems(const Diagnostics& problems, const char* outlook, glm::vec2 pi
 /// In the lower left corner.
 void drawFacts(const Facts& facts, glm::vec2 pictureSize);
 void drawMessage(const std::string& text, glm::vec2 pictureSize);
+/// What is being done meanwhile, in the middle of the upper edge.
+void drawProgress(const std::string& text, glm::vec2 pictureSize);
 
 /// What a hand has done to the timeline.
 struct TimelineTouch {

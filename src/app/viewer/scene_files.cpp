@@ -33,6 +33,7 @@ void SceneFiles::draw(glm::vec2 pictureSize) {
 void SceneFiles::update() {
     const std::vector<std::string> files = window_.takeDroppedFiles();
     if (!files.empty()) open(files.front(), files.size());
+    if (const auto opened = view_.takeOpened()) finishOpening(*opened);
 }
 
 bool SceneFiles::takeKey(const KeyPress& press) {
@@ -54,12 +55,18 @@ void SceneFiles::open(const std::string& file, size_t of) {
 
 void SceneFiles::show(const std::string& file, size_t of) {
     ++attempts_;
-    const Diagnostics problems = view_.open(file);
-    if (problems.hasErrors()) return notices_.refuse(problems);
+    droppedWith_ = of;
+    view_.open(file);
+}
+
+void SceneFiles::finishOpening(const SceneView::Opened& opened) {
+    if (opened.problems.hasErrors()) return notices_.refuse(opened.problems);
     notices_.forgetRefusal();
-    window_.setTitle(titleFor(file));
-    recent_.add(file);
-    notices_.say(of == 1 ? "opened " + file : fmt::format("opened {}, the first of {}", file, of));
+    window_.setTitle(titleFor(opened.file));
+    recent_.add(opened.file);
+    notices_.say(droppedWith_ == 1
+                     ? "opened " + opened.file
+                     : fmt::format("opened {}, the first of {}", opened.file, droppedWith_));
 }
 
 }  // namespace vitrine

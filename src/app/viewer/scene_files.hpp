@@ -46,6 +46,7 @@ class SceneFiles : public Tool {
   private:
     void save(const std::string& file);
     void show(const std::string& file, size_t of);
+    void finishOpening(const SceneView::Opened& opened);
 
     Window& window_;
     SceneView& view_;
@@ -55,6 +56,7 @@ class SceneFiles : public Tool {
     OpenDialogue openDialogue_;
     SaveDialogue saveDialogue_;
     int attempts_ = 0;
+    size_t droppedWith_ = 1;  ///< how many files were dropped with the one that is being opened
 };
 
 }  // namespace vitrine

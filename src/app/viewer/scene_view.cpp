@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kRestSeconds = 0.15;  // of quiet until the fine picture begins
 constexpr double kWatchSeconds = 0.1;  // between looks at the files
+constexpr double kQuietSeconds = 0.3;  // until it is said that something is being made
 constexpr float kFlightSeconds = 0.7f;
 
 double secondsSince(std::chrono::steady_clock::time_point then) {
@@ -20,27 +21,28 @@ double secondsSince(std::chrono::steady_clock::time_point then) {
 }  // namespace
 
 SceneView::SceneView(Window& window, const std::string& file, const std::string& camera,
-                     const std::vector<std::string>& overrides)
-    : scene(window.context(), file, overrides),
-      stage(window.context()),
-      split(window.context()),
-      window_(window) {
-    const std::vector<Camera>& cameras = scene.loaded().scene.cameras;
-    camera_ = static_cast<size_t>(&findCamera(scene.loaded().scene, camera) - cameras.data());
-    pilot.take(cameras[camera_], 0);
-    showAll();
+                     const std::vector<std::string>& overrides, glm::ivec2 pixels,
+                     const std::function<void()>& wait)
+    : workshop_(window), scene(file, overrides), window_(window) {
+    wish_.width = std::max(1, pixels.x);
+    wish_.height = std::max(1, pixels.y);
+    order(scene.request(), camera);
+    std::optional<Workshop::Delivery> delivery;
+    while (!(delivery = workshop_.take())) wait();
+    accept(std::move(*delivery));
     scene.problems().throwIfErrors();
 }
 
-Diagnostics SceneView::open(const std::string& file) {
-    Diagnostics problems = scene.open(file);
-    if (problems.hasErrors()) return problems;
-    selection = {};
-    timeline = {};
-    camera_ = 0;
-    pilot.take(scene.loaded().scene.cameras.front(), 0);
-    showAll();
-    return problems;
+void SceneView::open(const std::string& file) {
+    if (canOpen(file)) return order(OpenScene::requestFor(file), "");
+    opened_ = Opened{file, {}};
+    opened_->problems.error({file},
+                            "not a file that can be shown: .toml, .glb, .gltf, .obj, .sdf.glsl");
+}
+
+std::string SceneView::pending() const {
+    if (!workshop_.busy() || workshop_.seconds() < kQuietSeconds) return "";
+    return reading_ && reading_->otherFile ? "reading " + reading_->file : "compiling";
 }
 
 void SceneView::step(float elapsed, glm::vec2 pictureSize) {
@@ -52,15 +54,13 @@ void SceneView::step(float elapsed, glm::vec2 pictureSize) {
 
 void SceneView::draw(int width, int height) {
     const RenderSettings& settings = scene.posed().render;
+    takeSettings(settings, wish_);
     wish_.width = std::max(1, width);
     wish_.height = std::max(1, height);
     wish_.camera = pilot.camera;
     wish_.time = timeline.time;
-    wish_.view = view_;
-    wish_.samples = settings.samples;
-    wish_.bounces = settings.bounces;
-    wish_.ssaa = settings.ssaa;
-    wish_.seed = settings.seed;
+    if (stage.canShow(view_)) shown_ = view_;
+    wish_.view = shown_;
     wish_.moving = moving();
     const double budget = settings.budgetMilliseconds / 1000 / (split.isOpen() ? 2 : 1);
     stage.draw(wish_, budget);
@@ -80,7 +80,8 @@ ImageRgba8 SceneView::image() {
 }
 
 bool SceneView::busy() const {
-    return !stage.finished() || !split.finished() || timeline.playing || pilot.flying() || moving();
+    return !stage.finished() || !split.finished() || timeline.playing || pilot.flying() ||
+           moving() || wish_.moving;  // the last picture was coarse
 }
 
 bool SceneView::moving() const {
@@ -88,7 +89,7 @@ bool SceneView::moving() const {
 }
 
 bool SceneView::finished() const {
-    return stage.finished() && split.finished() && !wish_.moving;
+    return stage.finished() && split.finished() && !wish_.moving && !workshop_.busy();
 }
 
 glm::uvec4 SceneView::pick() {
@@ -103,15 +104,12 @@ glm::vec3 SceneView::cursorDirection() const {
 
 void SceneView::showView(View view) {
     view_ = view;
-    if (!stage.canShow(view)) showAll();
+    orderMissingFrames();
 }
 
 void SceneView::openSplit(View view) {
-    try {
-        split.open(view, scene.loaded(), scene.moment(timeline.time));
-    } catch (const InputError& error) {
-        scene.report(error);
-    }
+    split.open(view);
+    orderMissingFrames();
 }
 
 void SceneView::takeCamera(size_t camera) {
@@ -131,32 +129,90 @@ Latencies::Kind SceneView::takeKind() {
 }
 
 void SceneView::follow() {
-    const bool look = secondsSince(lastLook_) >= kWatchSeconds;
+    if (auto delivery = workshop_.take()) accept(std::move(*delivery));
+    // Another file that is being opened is not given up for changes of this one.
+    const bool opening = reading_ && reading_->otherFile;
+    const bool look = !opening && secondsSince(lastLook_) >= kWatchSeconds;
     if (look) lastLook_ = Clock::now();
     const bool broken = scene.problems().hasErrors();
     const OpenScene::Change change = scene.follow(look);
-    if (change == OpenScene::Change::kAll) showAll();
+    if (change == OpenScene::Change::kMustRead && !opening) order(scene.request());
     if (change == OpenScene::Change::kNumbers) showMoment(Latencies::Kind::kEdit);
-    if (change != OpenScene::Change::kNone || broken != scene.problems().hasErrors())
+    if (change == OpenScene::Change::kNumbers || broken != scene.problems().hasErrors())
         window_.wake();
 }
 
-void SceneView::showAll() {
-    try {
-        stage.setScene(scene.loaded(), showsCounters(view_));
-        split.setScene(scene.loaded());
-        timeline.duration = scene.duration();
-        showMoment(Latencies::Kind::kReload);
-    } catch (const InputError& error) {
-        scene.report(error);
+/// What was ordered to be read and is not there is ordered again with anything else.
+void SceneView::order(std::optional<LoadRequest> load, std::optional<std::string> camera) {
+    if (load) {
+        reading_ = std::move(load);
+        readingCamera_ = std::move(camera);
     }
+    Workshop::Order order;
+    order.load = reading_;
+    order.camera = readingCamera_;
+    order.wish = wish_;
+    order.wish.camera = pilot.camera;
+    order.wish.time = reading_ && reading_->otherFile ? 0 : timeline.time;
+    if (!reading_) {
+        order.scene = scene.shared();
+        order.moment = moment_;
+    }
+    if (reading_ || !stage.canShow(view_) || !stage.covers(moment_)) order.view = view_;
+    if (split.isOpen() && (reading_ || split.needsFrame() || !split.covers(moment_)))
+        order.splitView = split.view();
+    workshop_.order(std::move(order));
+}
+
+void SceneView::orderMissingFrames() {
+    // Those of a scene that is being read come with it.
+    if (!stage.canShow(view_) || !stage.covers(moment_) || split.needsFrame() ||
+        !split.covers(moment_))
+        order({});
+}
+
+void SceneView::accept(Workshop::Delivery delivery) {
+    window_.wake();
+    if (!delivery.load) return showDelivered(delivery);
+    const LoadRequest request = delivery.load->request;
+    const bool first = stage.empty();
+    if (reading_ && reading_->number == request.number) reading_.reset();
+    if (request.otherFile) {
+        opened_ = Opened{request.file, delivery.load->problems};
+        opened_->problems.append(delivery.problems);
+    }
+    const bool taken = scene.take(std::move(*delivery.load), delivery.problems);
+    if (request.otherFile) {
+        if (!taken && scene.isWaiting()) order(scene.request());
+        if (!taken) return;
+        selection = {};
+        timeline = {};
+    }
+    if (!taken) return;
+    if (first || request.otherFile) {
+        const std::vector<Camera>& cameras = scene.loaded().scene.cameras;
+        const std::string name = readingCamera_.value_or("");
+        camera_ = static_cast<size_t>(&findCamera(scene.loaded().scene, name) - cameras.data());
+        pilot.take(cameras[camera_], 0);
+        readingCamera_.reset();
+    }
+    timeline.duration = scene.duration();
+    showDelivered(delivery);
+}
+
+void SceneView::showDelivered(Workshop::Delivery& delivery) {
+    secondsBehind_ = delivery.seconds;
+    if (delivery.frame != nullptr) stage.setFrame(std::move(delivery.frame));
+    if (delivery.splitFrame != nullptr) split.setFrame(std::move(delivery.splitFrame));
+    showMoment(Latencies::Kind::kReload);
 }
 
 void SceneView::showMoment(Latencies::Kind why) {
     try {
         moment_ = scene.moment(timeline.time);
-        if (!stage.empty()) stage.update(moment_);
-        split.update(moment_);
+        if (stage.covers(moment_)) stage.update(moment_);
+        if (split.covers(moment_)) split.update(moment_);
+        if (!workshop_.busy()) orderMissingFrames();
         pilot.follow(sceneCamera(), why != Latencies::Kind::kPlay);
     } catch (const InputError& error) {
         scene.report(error);

@@ -4,7 +4,10 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/viewer/latencies.hpp"
@@ -13,6 +16,7 @@
 #include "app/viewer/split.hpp"
 #include "app/viewer/stage.hpp"
 #include "app/viewer/timeline.hpp"
+#include "app/viewer/workshop.hpp"
 #include "gpu/window.hpp"
 
 namespace vitrine {
@@ -25,14 +29,26 @@ struct Selection {
 
 class SceneView {
   public:
-    /// Shows `file` from the camera of this name ("": the first). Throws InputError if it cannot be
-    /// shown, UsageError if there is no such camera. The window outlives this.
+    /// Shows `file` from the camera of this name ("": the first), in a picture of about this many
+    /// pixels. Reads it in the background and calls `wait` until that is done. Throws InputError if
+    /// it cannot be shown, UsageError if there is no such camera. The window outlives this.
     SceneView(Window& window, const std::string& file, const std::string& camera,
-              const std::vector<std::string>& overrides);
+              const std::vector<std::string>& overrides, glm::ivec2 pixels,
+              const std::function<void()>& wait);
 
-    /// Shows another file, from its first camera, with nothing selected. Returns why it cannot be
-    /// shown; then all stays as it was.
-    [[nodiscard]] Diagnostics open(const std::string& file);
+    /// Shows another file, from its first camera, with nothing selected, as soon as it has been
+    /// read. Until then, and if it cannot be shown, all stays as it is; takeOpened() tells.
+    void open(const std::string& file);
+    struct Opened {
+        std::string file;
+        Diagnostics problems;  ///< with errors: why it is not shown
+    };
+    /// What came of open(), once.
+    std::optional<Opened> takeOpened() { return std::exchange(opened_, {}); }
+    /// What is being made in the background, a sentence; "": nothing, or not for long.
+    [[nodiscard]] std::string pending() const;
+    /// How long it took from noticing a change to the picture of it, once.
+    std::optional<double> takeSecondsBehind() { return std::exchange(secondsBehind_, {}); }
 
     /// Takes what has happened in `elapsed` seconds: hands on the camera, time, edits, files.
     /// `pictureSize` in ImGui units, from the window's upper left.
@@ -74,6 +90,10 @@ class SceneView {
     /// The weightiest that has happened since the last call.
     Latencies::Kind takeKind();
 
+  private:
+    Workshop workshop_;  // before the frames that it makes
+
+  public:
     OpenScene scene;
     Stage stage;
     Split split;
@@ -83,16 +103,24 @@ class SceneView {
 
   private:
     void follow();
-    void showAll();
+    void order(std::optional<LoadRequest> load, std::optional<std::string> camera = {});
+    void accept(Workshop::Delivery delivery);
+    void showDelivered(Workshop::Delivery& delivery);
+    void orderMissingFrames();
     void showMoment(Latencies::Kind why);
     void touch(Latencies::Kind why);
     void note(Latencies::Kind why) { kind_ = std::max(kind_, why); }
 
     using Clock = std::chrono::steady_clock;
     Window& window_;
-    size_t camera_ = 0;    ///< in Scene::cameras: the one that the pilot has taken
-    PackedMoment moment_;  ///< what the stage shows
-    View view_ = View::kColor;
+    size_t camera_ = 0;                   ///< in Scene::cameras: the one that the pilot has taken
+    PackedMoment moment_;                 ///< what the stage shows, or will
+    View view_ = View::kColor;            ///< that is asked for
+    View shown_ = View::kColor;           ///< the last one for which the stage had a frame
+    std::optional<LoadRequest> reading_;  ///< what was ordered and is not there
+    std::optional<std::string> readingCamera_;  ///< to be shown then
+    std::optional<Opened> opened_;
+    std::optional<double> secondsBehind_;
     Stage::Wish wish_;
     glm::vec2 pictureSize_{1, 1};
     Clock::time_point lastMove_{}, lastLook_{};

@@ -14,18 +14,30 @@ constexpr float kEdge = 0.02f;  // the line stays this share of the width inside
 
 }  // namespace
 
-void Split::open(View view, const LoadedScene& scene, const PackedMoment& moment) {
-    if (stage_ == nullptr || !stage_->canShow(view)) {
-        auto next = std::make_unique<Stage>(context_);
-        next->setScene(scene, showsCounters(view));
-        next->update(moment);
-        stage_ = std::move(next);
-    }
+void Split::open(View view) {
+    open_ = true;
     view_ = view;
+    if (stage_ != nullptr && stage_->canShow(view)) shown_ = view;
 }
 
-void Split::setScene(const LoadedScene& scene) {
-    if (stage_ != nullptr) stage_->setScene(scene, showsCounters(view_));
+void Split::close() {
+    open_ = false;
+    shown_.reset();
+    stage_.reset();
+}
+
+void Split::setFrame(std::shared_ptr<SceneFrame> frame) {
+    if (!open_) return;
+    if (stage_ == nullptr) stage_ = std::make_unique<Stage>();
+    stage_->setFrame(std::move(frame));
+    if (stage_->canShow(view_))
+        shown_ = view_;
+    else if (shown_ && !stage_->canShow(*shown_))
+        shown_.reset();
+}
+
+bool Split::covers(const PackedMoment& moment) const {
+    return stage_ == nullptr || stage_->covers(moment);
 }
 
 void Split::update(const PackedMoment& moment) {
@@ -33,8 +45,8 @@ void Split::update(const PackedMoment& moment) {
 }
 
 void Split::draw(Stage::Wish wish, double budgetSeconds) {
-    if (stage_ == nullptr) return;
-    wish.view = view_;
+    if (stage_ == nullptr || !shown_) return;
+    wish.view = *shown_;
     stage_->draw(wish, budgetSeconds);
 }
 
@@ -43,7 +55,7 @@ int Split::leftOf(int width) const {
 }
 
 void Split::putInto(ImageRgba8& picture) {
-    if (stage_ == nullptr) return;
+    if (stage_ == nullptr || !shown_) return;
     const ImageRgba8 other = stage_->image();
     const auto skipped = static_cast<size_t>(leftOf(picture.width)) * ImageRgba8::kChannels;
     for (int y = 0; y < picture.height; ++y) {
@@ -53,14 +65,14 @@ void Split::putInto(ImageRgba8& picture) {
 }
 
 void Split::show(Window& window, int width, int height) const {
-    if (stage_ == nullptr || stage_->picture() == nullptr) return;
+    if (stage_ == nullptr || !shown_ || stage_->picture() == nullptr) return;
     const int left = leftOf(width);
     window.show(*stage_->picture(), {0, 0, width, height}, {left, 0, width - left, height});
 }
 
 void Split::drawLine(glm::vec2 pictureSize, const std::string& leftName,
                      const std::string& rightName) {
-    if (stage_ == nullptr) return;
+    if (stage_ == nullptr || !shown_) return;
     const float x = std::round(line_ * pictureSize.x);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::SetNextWindowPos({x - kGrip / 2, 0});

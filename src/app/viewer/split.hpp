@@ -2,6 +2,8 @@
 // A second picture of the same scene, in another view, right of a line that can be dragged.
 #pragma once
 
+#include <optional>
+
 #include "app/viewer/stage.hpp"
 #include "gpu/window.hpp"
 
@@ -9,20 +11,23 @@ namespace vitrine {
 
 class Split {
   public:
-    explicit Split(const Context& context) : context_(context) {}
-
-    /// Shows `view` right of the line. The scene is that of the window's own stage: as loaded, and
-    /// as it is at the moment. Throws InputError if a snippet does not compile.
-    void open(View view, const LoadedScene& scene, const PackedMoment& moment);
-    void close() { stage_.reset(); }
-    [[nodiscard]] bool isOpen() const { return stage_ != nullptr; }
+    /// Shows `view` right of the line as soon as there is a frame for it: at once if the one there
+    /// is will do, else with the next setFrame().
+    void open(View view);
+    void close();
+    [[nodiscard]] bool isOpen() const { return open_; }
     [[nodiscard]] View view() const { return view_; }
-
-    /// Follow the window's own stage; nothing if closed.
-    void setScene(const LoadedScene& scene);
+    /// Whether it is open and waits for a frame.
+    [[nodiscard]] bool needsFrame() const { return open_ && shown_ != view_; }
+    /// A frame of the scene of the window's own stage. Nothing if closed meanwhile.
+    void setFrame(std::shared_ptr<SceneFrame> frame);
+    /// Follow the window's own stage; nothing if there is no picture.
+    [[nodiscard]] bool covers(const PackedMoment& moment) const;
     void update(const PackedMoment& moment);
     void draw(Stage::Wish wish, double budgetSeconds);
-    [[nodiscard]] bool finished() const { return stage_ == nullptr || stage_->finished(); }
+    [[nodiscard]] bool finished() const {
+        return stage_ == nullptr || !shown_ || stage_->finished();
+    }
 
     /// Shows the picture right of the line, over the other one, which has this size.
     void show(Window& window, int width, int height) const;
@@ -34,10 +39,11 @@ class Split {
   private:
     /// The first column right of the line.
     [[nodiscard]] int leftOf(int width) const;
-    const Context& context_;
     std::unique_ptr<Stage> stage_;
-    View view_ = View::kNormal;
-    float line_ = 0.5f;  ///< share of the picture's width
+    bool open_ = false;
+    View view_ = View::kNormal;  ///< that is asked for
+    std::optional<View> shown_;  ///< of the stage
+    float line_ = 0.5f;          ///< share of the picture's width
 };
 
 }  // namespace vitrine

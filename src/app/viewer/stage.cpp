@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/viewer/stage.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
-
-#include "frame/check_snippets.hpp"
 
 namespace vitrine {
 namespace {
-
-constexpr int64_t kMostPixels = 16 << 20;
 
 bool same(const Camera& a, const Camera& b) {
     return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov == b.fov &&
@@ -28,56 +22,29 @@ bool same(const Stage::Wish& a, const Stage::Wish& b) {
 
 }  // namespace
 
-void Stage::setScene(const LoadedScene& scene, bool counters) {
-    auto next = std::make_unique<Frame>(context_, scene.packed, Backend::kAuto, counters);
-    // Compiles all programs while the frame before is still there, if these do not.
-    Wish wish = wish_;
-    wish.width = std::max(1, wish.width);
-    wish.height = std::max(1, wish.height);
-    wish.camera = scene.scene.cameras.front();
-    wish.moving = true;
-    try {
-        begin(*next, wish);
-        next->drawSample();
-        picture_ = &next->display();
-    } catch (const InputError&) {
-        begun_ = false;
-        // One program reports one snippet's mistakes at best: ask each snippet by itself.
-        checkSnippets(context_, scene.assets).throwIfErrors();
-        throw;
-    }
-    frame_ = std::move(next);
-    counters_ = counters;
+void Stage::setFrame(std::shared_ptr<SceneFrame> frame) {
+    picture_ = nullptr;
+    frame_ = std::move(frame);
+    pace_.takeCareOfNews();
     begun_ = finished_ = false;
+}
+
+bool Stage::covers(const PackedMoment& moment) const {
+    return frame_ != nullptr && std::as_const(*frame_).frame().covers(moment);
 }
 
 void Stage::update(const PackedMoment& moment) {
-    frame_->update(moment);
+    const ContextUse use(frame_->context());
+    frame_->frame().update(moment);
     begun_ = finished_ = false;
 }
 
-void Stage::begin(Frame& frame, const Wish& wish) {
-    FrameRequest request;
+void Stage::begin(const Wish& wish) {
     drawnScale_ = wish.moving ? pace_.scale() : 1;
-    const auto scaled = [&](int size) {
-        return std::max(1, static_cast<int>(std::lround(static_cast<float>(size) * drawnScale_)));
-    };
-    request.width = scaled(wish.width);
-    request.height = scaled(wish.height);
-    request.camera = wish.camera;
-    request.time = wish.time;
-    request.samples = wish.moving ? 1 : wish.samples;
-    request.bounces = wish.bounces;
-    request.ssaa = wish.moving ? 1 : wish.ssaa;
-    // A slider must not take all of the GPU's memory.
-    const auto pixels = static_cast<int64_t>(request.width) * request.height;
-    while (request.ssaa > 1 && pixels * request.ssaa * request.ssaa > kMostPixels) --request.ssaa;
-    request.seed = wish.seed;
-    request.view = wish.view;
-    request.quick = wish.moving;
+    FrameRequest request = requestFor(wish, drawnScale_);
     request.timing = measures_;
     passSums_.clear();
-    frame.begin(request);
+    frame_->frame().begin(request);
     samplesDrawn_ = 0;
     begun_ = true;
 }
@@ -85,23 +52,25 @@ void Stage::begin(Frame& frame, const Wish& wish) {
 void Stage::draw(const Wish& wish, double budgetSeconds) {
     const bool fresh = !begun_ || !same(wish, wish_) || wish_.moving != wish.moving;
     wish_ = wish;
-    if (fresh) begin(*frame_, wish);
+    const ContextUse use(frame_->context());
+    Frame& frame = frame_->frame();
+    if (fresh) begin(wish);
     const int samples = wish.moving ? 1 : wish.samples;
     finished_ = samplesDrawn_ >= samples;
     if (finished_) return;
     const auto start = std::chrono::steady_clock::now();
     bool whole = true;
     if (wish.moving)
-        frame_->drawSample();
+        frame.drawSample();
     else
-        whole = frame_->advance(budgetSeconds);
+        whole = frame.advance(budgetSeconds);
     if (whole) {
         ++samplesDrawn_;
         finished_ = samplesDrawn_ >= samples;
-        picture_ = &frame_->display();
+        picture_ = &frame.display();
         finishGpu();
         if (measures_) {
-            const PassSeconds sums = frame_->statistics().secondsByPass;
+            const PassSeconds sums = frame.statistics().secondsByPass;
             passSeconds_ = difference(sums, passSums_);
             passSums_ = sums;
         }
@@ -119,9 +88,15 @@ std::optional<PassSeconds> Stage::takePassSeconds() {
     return std::exchange(passSeconds_, {});
 }
 
+ImageRgba8 Stage::image() {
+    const ContextUse use(frame_->context());
+    return frame_->frame().picture();
+}
+
 glm::uvec4 Stage::pick(glm::ivec2 pixel) {
     const glm::vec2 share = (glm::vec2(pixel) + 0.5f) / glm::vec2(wish_.width, wish_.height);
-    return frame_->pick({share.x, 1 - share.y});
+    const ContextUse use(frame_->context());
+    return frame_->frame().pick({share.x, 1 - share.y});
 }
 
 }  // namespace vitrine

@@ -19,6 +19,7 @@
 #include "app/viewer/picture_output.hpp"
 #include "app/viewer/playback.hpp"
 #include "app/viewer/pointer.hpp"
+#include "app/viewer/progress_note.hpp"
 #include "app/viewer/recorder.hpp"
 #include "app/viewer/scene_files.hpp"
 #include "app/viewer/start_page.hpp"
@@ -40,16 +41,23 @@ double secondsSince(Clock::time_point then) {
     return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
-/// With something to read while the scene is being read.
+/// The user has closed it before there was anything to see. No fault.
+struct WindowClosed {};
+
+/// Something to read while the scene is being read, which can be closed.
+void showReading(Window& window, const std::string& file, double seconds) {
+    window.begin(seconds);
+    window.clear();
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    drawProgress("reading " + file, {size.x, size.y});
+    window.end();
+    if (window.takeCloseRequest()) throw WindowClosed{};
+}
+
 std::unique_ptr<Window> openWindow(const ViewOptions& options) {
     auto window = Window::open(options.width, options.height, titleFor(options.file));
-    for (int i = 0; i < 2; ++i) {  // ImGui learns the size of a text when it draws it first
-        window->begin(0);
-        window->clear();
-        const ImVec2 size = ImGui::GetIO().DisplaySize;
-        drawMessage("reading " + options.file, {size.x, size.y});
-        window->end();
-    }
+    for (int i = 0; i < 2; ++i)  // ImGui learns the size of a text when it draws it first
+        showReading(*window, options.file, 0);
     return window;
 }
 
@@ -63,7 +71,9 @@ class Viewer {
     explicit Viewer(const ViewOptions& options)
         : timings_(options.timings),
           window_(openWindow(options)),
-          view_(*window_, options.file, options.camera, options.overrides),
+          view_(*window_, options.file, options.camera, options.overrides,
+                {window_->width() - static_cast<int>(panelWidth()), window_->height()},
+                [&] { showReading(*window_, options.file, kLongestWait); }),
           notices_(*window_),
           recent_(recentList()) {
         // Behind those that come later. The menus stand in the order in which they come first.
@@ -81,6 +91,7 @@ class Viewer {
         tools_.push_back(std::move(files));
         tools_.push_back(std::make_unique<PictureOutput>(view_, notices_));
         tools_.push_back(std::move(recorder));
+        tools_.push_back(std::make_unique<ProgressNote>(*window_, view_));
         tools_.push_back(std::make_unique<Inspector>(*window_, view_));
         tools_.push_back(std::make_unique<PassTimes>(*window_, view_));
         tools_.push_back(std::make_unique<Pointer>(view_));
@@ -128,6 +139,8 @@ class Viewer {
         if (!held()) view_.step(elapsed, pictureSize());
         for (const auto& tool : tools_)
             if (works(*tool)) tool->update();
+        if (const auto seconds = view_.takeSecondsBehind())
+            latencies_.add(Latencies::Kind::kBehind, *seconds);
         if (!busy && settling_ == 0) return window_->skip();
         draw();
         latencies_.add(view_.takeKind(), secondsSince(before_));
@@ -207,6 +220,7 @@ class Viewer {
     }
 
     std::string timings_;
+    bool panelShown_ = true;
     Latencies latencies_;
     std::unique_ptr<Window> window_;
     SceneView view_;
@@ -218,7 +232,7 @@ class Viewer {
     Panel panel_;
     Clock::time_point before_ = Clock::now();
     int settling_ = kSettlingFrames;
-    bool panelShown_ = true, helpShown_ = false;
+    bool helpShown_ = false;
 };
 
 }  // namespace
@@ -229,7 +243,11 @@ int view(const ViewOptions& options) {
     // system, instead of leaving holes that the next ones do not fit.
     mallopt(M_MMAP_THRESHOLD, 1 << 20);
 #endif
-    return Viewer(options).run();
+    try {
+        return Viewer(options).run();
+    } catch (const WindowClosed&) {
+        return 0;
+    }
 }
 
 }  // namespace vitrine

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/scene_frame.hpp"
+
+#include "frame/check_snippets.hpp"
+
+namespace vitrine {
+namespace {
+
+/// A camera before which the whole scene lies, so that all its kinds of things are drawn.
+Camera overview(Camera camera, const Aabb& world) {
+    if (world.empty()) return camera;
+    const glm::vec3 way = camera.eye - camera.target;
+    const float length = glm::length(way);
+    const glm::vec3 back = length > 0 ? way / length : glm::vec3(0, 0, 1);
+    camera.target = world.centre();
+    camera.eye = camera.target + 2 * glm::length(world.extent()) * back;
+    return camera;
+}
+
+}  // namespace
+
+SceneFrame::~SceneFrame() {
+    if (frame_ == nullptr) return;
+    const ContextUse use(*context_);
+    frame_.reset();
+}
+
+void SceneFrame::prepare(const LoadedScene& scene, const PackedMoment& moment, const Wish& wish,
+                         const Checkpoint& checkpoint) {
+    const ContextUse use(*context_);
+    try {
+        counters_ = showsCounters(wish.view);
+        records_ = showsRecords(wish.view);
+        lit_ = !counters_ && !records_;
+        frame_ = std::make_unique<Frame>(*context_, scene.packed, Backend::kAuto, counters_);
+        frame_->update(moment);
+        compile(wish, moment.worldBox, checkpoint);
+    } catch (const InputError&) {
+        // One program reports one snippet's mistakes at best: ask each snippet by itself.
+        checkSnippets(*context_, scene.assets).throwIfErrors();
+        throw;
+    }
+}
+
+void SceneFrame::compile(const Wish& wish, const Aabb& world, const Checkpoint& checkpoint) {
+    Wish moving = wish, still = wish, whole = wish;
+    moving.moving = whole.moving = true;
+    still.moving = false;
+    whole.camera = overview(wish.camera, world);
+    for (const Wish& each : {moving, still, whole}) {
+        checkpoint();
+        frame_->begin(smallRequestFor(each));
+        frame_->drawSample();
+        frame_->display();
+    }
+}
+
+}  // namespace vitrine

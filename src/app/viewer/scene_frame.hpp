@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A frame on a context of its own: uploaded and compiled on one thread, drawn on another.
+#pragma once
+
+#include <memory>
+
+#include "app/session/session.hpp"
+#include "app/viewer/background.hpp"
+#include "app/viewer/wish.hpp"
+#include "gpu/shared_context.hpp"
+
+namespace vitrine {
+
+class SceneFrame {
+  public:
+    /// The context is current nowhere. Nothing is uploaded yet.
+    explicit SceneFrame(std::shared_ptr<const SharedContext> context)
+        : context_(std::move(context)) {}
+    ~SceneFrame();
+    SceneFrame(const SceneFrame&) = delete;
+    SceneFrame& operator=(const SceneFrame&) = delete;
+
+    /// Uploads and compiles all that is needed to draw `wish`, moving and at rest, and from where
+    /// the whole scene is seen. Throws InputError if a snippet does not compile.
+    void prepare(const LoadedScene& scene, const PackedMoment& moment, const Wish& wish,
+                 const Checkpoint& checkpoint);
+    /// Whether all is there for this view: it is for those that show the same kind of thing as the
+    /// wish. Light takes other programs than records do, and counters cost time.
+    [[nodiscard]] bool canShow(View view) const {
+        return showsCounters(view) ? counters_ : showsRecords(view) ? records_ : lit_;
+    }
+
+    [[nodiscard]] const SharedContext& context() const { return *context_; }
+    /// Only after prepare(), and while the context is in use.
+    [[nodiscard]] Frame& frame() { return *frame_; }
+    [[nodiscard]] const Frame& frame() const { return *frame_; }
+
+  private:
+    void compile(const Wish& wish, const Aabb& world, const Checkpoint& checkpoint);
+    std::shared_ptr<const SharedContext> context_;
+    std::unique_ptr<Frame> frame_;
+    bool counters_ = false, records_ = false, lit_ = false;
+};
+
+}  // namespace vitrine
