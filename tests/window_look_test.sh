@@ -79,6 +79,11 @@ xdotool mousemove 190 225 key v
 soon 20 side right.png 210
 soon 20 side left.png 10
 screen split
+shoot # both halves, as they are seen
+convert "$shot" -crop 160x360+210+40 +repage half.png
+same right.png half.png || fail "F12 does not write what is right of the line"
+convert "$shot" -crop 160x360+10+40 +repage half.png
+same left.png half.png || fail "F12 does not write what is left of the line"
 drag 1 190 225 -36 0  # the line, to x = 10
 convert normal.png -crop 160x360+30+40 +repage most.png
 soon 20 side most.png 30

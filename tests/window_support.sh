@@ -19,6 +19,8 @@ finish() {
 }
 trap finish EXIT
 cd "$folder" || exit 1
+# What the window remembers of its user is not looked at, nor written to.
+export XDG_STATE_HOME=$folder/state XDG_CACHE_HOME=$folder/cache
 
 fail() {
     echo "FAILED: $*"

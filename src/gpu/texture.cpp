@@ -122,6 +122,12 @@ void Texture::write(std::span<const std::byte> bytes) {
     checkGl("uploading an image");
 }
 
+void Texture::smooth() {
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
 void Texture::clear() {
     unsigned framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);

@@ -37,6 +37,8 @@ class Texture {
     /// Replaces all texels; `bytes` has the format's layout, bottom row first.
     void write(std::span<const std::byte> bytes);
     void clear();
+    /// From now on what lies between texels is mixed.
+    void smooth();
 
   private:
     void release();

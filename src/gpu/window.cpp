@@ -16,7 +16,8 @@
 namespace vitrine {
 namespace {
 
-static_assert(kKeyEscape == GLFW_KEY_ESCAPE && kKeyTab == GLFW_KEY_TAB &&
+static_assert(kKeyEscape == GLFW_KEY_ESCAPE && kKeyEnter == GLFW_KEY_ENTER &&
+              kKeyKeypadEnter == GLFW_KEY_KP_ENTER && kKeyTab == GLFW_KEY_TAB &&
               kKeyRight == GLFW_KEY_RIGHT && kKeyLeft == GLFW_KEY_LEFT &&
               kKeyHome == GLFW_KEY_HOME && kKeyF11 == GLFW_KEY_F11 && kKeyF12 == GLFW_KEY_F12 &&
               GLFW_KEY_A == 'A' && GLFW_KEY_0 == '0' && GLFW_KEY_SPACE == ' ');
@@ -117,6 +118,7 @@ void Window::installCallbacks() {
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { event(w); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { event(w); });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { event(w); });
+    glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { event(w); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { event(w); });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** files) {
         auto* self = static_cast<Window*>(glfwGetWindowUserPointer(w));
@@ -140,12 +142,14 @@ void Window::measure() {
     glfwGetFramebufferSize(window_, &width_, &height_);
 }
 
-bool Window::shouldClose() const {
-    return glfwWindowShouldClose(window_) == GLFW_TRUE;
+bool Window::takeCloseRequest() {
+    const bool asked = glfwWindowShouldClose(window_) == GLFW_TRUE;
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return asked;
 }
 
-void Window::askToClose() {
-    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+void Window::hide() {
+    glfwHideWindow(window_);
 }
 
 void Window::setTitle(const std::string& title) {

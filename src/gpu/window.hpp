@@ -24,12 +24,14 @@ struct PixelRectangle {
 /// The keys that have no character; letters, digits and space are their capital characters.
 enum SpecialKey : int {
     kKeyEscape = 256,
+    kKeyEnter = 257,
     kKeyTab = 258,
     kKeyRight = 262,
     kKeyLeft = 263,
     kKeyHome = 268,
     kKeyF11 = 300,
     kKeyF12 = 301,
+    kKeyKeypadEnter = 335,
 };
 
 /// A key that went down: a character or a SpecialKey, also for ImGui::IsKeyDown().
@@ -48,8 +50,10 @@ class Window {
     Window& operator=(const Window&) = delete;
 
     [[nodiscard]] const Context& context() const { return *context_; }
-    [[nodiscard]] bool shouldClose() const;
-    void askToClose();
+    /// Whether the desktop asked to close the window since the last call.
+    bool takeCloseRequest();
+    /// Out of sight, for what has to be done before it goes.
+    void hide();
     void setTitle(const std::string& title);
     void setFullScreen(bool full);
     [[nodiscard]] bool isFullScreen() const;

@@ -110,6 +110,8 @@ void defineView(CLI::App& app, ViewOptions& o, std::function<int()>& chosen) {
     c->add_option("--timings", o.timings,
                   "write at the end how long the window took to answer, - to standard output");
     addOverrides(*c, o.overrides);
+    o.scenes = VITRINE_SCENES;
+    o.version = VITRINE_VERSION;
     c->callback([&] { chosen = [&] { return view(o); }; });
 }
 
@@ -130,12 +132,16 @@ void defineCompare(CLI::App& app, CompareOptions& o, std::function<int()>& chose
     c->callback([&] { chosen = [&] { return compare(o); }; });
 }
 
-/// `vitrine` alone: a window on the best scene there is; without a display, its picture in a file.
+/// `vitrine` alone: the start screen, and behind it the best scene there is; without a display, its
+/// picture in a file.
 int show(const std::string& version) {
     const std::string file = VITRINE_SCENES "/lesson-both.toml";
     try {
         ViewOptions window;
         window.file = file;
+        window.scenes = VITRINE_SCENES;
+        window.version = version;
+        window.startPage = true;
         return view(window);
     } catch (const NoDisplay& error) {
         fmt::print(stderr, "vitrine: {}; drawing a picture instead\n", error.what());

@@ -50,6 +50,26 @@ void helpColumn(const char* name, const HelpRow* first, const HelpRow* last) {
     ImGui::EndTable();
 }
 
+/// The menus in a menu ("": in the bar), and its entries, in the order of the list.
+void drawMenus(const std::vector<Command>& commands, const std::string& in) {
+    std::vector<std::string> drawn;
+    for (const Command& c : commands) {
+        if (c.menu == in) {
+            if (ImGui::MenuItem(c.name.c_str(), c.keys.c_str(), c.chosen)) c.run();
+            continue;
+        }
+        const std::string prefix = in.empty() ? "" : in + "/";
+        if (c.menu.compare(0, prefix.size(), prefix) != 0) continue;
+        const std::string name =
+            c.menu.substr(prefix.size(), c.menu.find('/', prefix.size()) - prefix.size());
+        if (std::find(drawn.begin(), drawn.end(), name) != drawn.end()) continue;
+        drawn.push_back(name);
+        if (!ImGui::BeginMenu(name.c_str())) continue;
+        drawMenus(commands, prefix + name);
+        ImGui::EndMenu();
+    }
+}
+
 }  // namespace
 
 void runKeys(const std::vector<Command>& commands, const std::vector<KeyPress>& presses) {
@@ -60,16 +80,7 @@ void runKeys(const std::vector<Command>& commands, const std::vector<KeyPress>& 
 
 void drawMenus(const std::vector<Command>& commands) {
     if (!ImGui::BeginMenuBar()) return;
-    std::vector<std::string> menus;
-    for (const Command& c : commands)
-        if (std::find(menus.begin(), menus.end(), c.menu) == menus.end()) menus.push_back(c.menu);
-    for (const std::string& menu : menus) {
-        if (!ImGui::BeginMenu(menu.c_str())) continue;
-        for (const Command& c : commands)
-            if (c.menu == menu && ImGui::MenuItem(c.name.c_str(), c.keys.c_str(), c.chosen))
-                c.run();
-        ImGui::EndMenu();
-    }
+    drawMenus(commands, "");
     ImGui::EndMenuBar();
 }
 
@@ -108,10 +119,10 @@ std::string renderCommand(const ShownPicture& picture) {
     return text;
 }
 
-std::string nextPictureName(const std::string& prefix) {
+std::string nextFileName(const std::string& ending) {
     std::string name;
     int number = 1;
-    do name = fmt::format("{}-{:04}.png", prefix, number++);
+    do name = fmt::format("vitrine-{:04}{}", number++, ending);
     while (std::filesystem::exists(name));
     return name;
 }

@@ -12,7 +12,8 @@
 namespace vitrine {
 
 struct Command {
-    std::string menu, name;
+    std::string menu;  ///< "File", or "File/Open recent" for a menu in a menu
+    std::string name;
     std::string keys;  ///< as people write them: "Ctrl+S"
     int key = 0;       ///< a KeyPress::key; 0: in the menu only
     bool control = false, shift = false;
@@ -39,7 +40,9 @@ struct ShownPicture {
 /// `vitrine render ...`, quoted for a shell, that draws the same.
 std::string renderCommand(const ShownPicture& picture);
 
-/// PREFIX-0001.png, or the first number after it that is not taken in the current folder.
-std::string nextPictureName(const std::string& prefix);
+/// vitrine-0001.png, or the first number after it that is not taken in the current folder.
+/// `ending`:
+/// ".png".
+std::string nextFileName(const std::string& ending);
 
 }  // namespace vitrine

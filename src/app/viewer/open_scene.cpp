@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 #include <iterator>
 
 #include "app/session/bare_file.hpp"
@@ -159,21 +160,57 @@ float OpenScene::duration() const {
     return last;
 }
 
+bool OpenScene::canSave() const {
+    return isScene(file_);
+}
+
+/// The scene's file, or what stands for it, with the edits in it.
+std::string OpenScene::editedText(Diagnostics& diagnostics) const {
+    std::string text;
+    if (canSave()) {
+        text = readFile(file_, kMaxSceneBytes);
+    } else {
+        // On a thread of its own, whose OpenGL context takes no other one's place.
+        text = std::async(std::launch::async, [&] {
+                   ModelLibrary library;
+                   FieldProber prober;
+                   return sceneAround(file_, library, prober, diagnostics).value_or("");
+               }).get();
+    }
+    return editSceneText(text, file_, edits.assignments(), diagnostics);
+}
+
 std::string OpenScene::save() {
     if (edits.empty()) return "nothing has been changed";
-    if (!isScene(file_)) return "only scenes (.toml) can be saved";
+    if (!canSave()) return "only scenes (.toml) can be saved; \"Save as\" makes one of this";
     try {
         Diagnostics diagnostics;
-        const std::string before = readFile(file_, kMaxSceneBytes);
-        const std::string after = editSceneText(before, file_, edits.assignments(), diagnostics);
+        const std::string text = editedText(diagnostics);
         if (diagnostics.hasErrors()) return "not saved: " + diagnostics.text();
-        if (after != before) writeFileAtomically(file_, after);
+        if (text != readFile(file_, kMaxSceneBytes)) writeFileAtomically(file_, text);
         const size_t values = edits.assignments().size();
         edits.clear();
         return fmt::format("saved {} value{} to {}", values, values == 1 ? "" : "s", file_);
     } catch (const std::exception& error) {
         return fmt::format("not saved: {}", error.what());
     }
+}
+
+std::string OpenScene::saveAs(const std::string& file) {
+    if (waiting_) return "not saved: the scene is still being read";
+    try {
+        Diagnostics diagnostics;
+        const std::string text = editedText(diagnostics);
+        if (diagnostics.hasErrors()) return "not saved: " + diagnostics.text();
+        writeFileAtomically(file, text);
+    } catch (const std::exception& error) {
+        return fmt::format("not saved: {}", error.what());
+    }
+    file_ = file;
+    edits.clear();
+    // In no state that is known: the next look at the files reads it, and all that it names.
+    watch_.watch({{file_, {}}});
+    return "saved as " + file_;
 }
 
 }  // namespace vitrine

@@ -55,8 +55,14 @@ class OpenScene {
 
     /// `--set` assignments: of the command line, then of the edits.
     [[nodiscard]] std::vector<std::string> overrides() const;
+    /// Whether the file is a scene, which can take the edits.
+    [[nodiscard]] bool canSave() const;
     /// Writes the edits into the file. Returns a sentence about it.
     std::string save();
+    /// Writes the scene with the edits into another file of the same folder, and goes on with that
+    /// one: file() tells whether it was possible. Of a model or a field the scene that is put
+    /// around it. Returns a sentence about it.
+    std::string saveAs(const std::string& file);
 
     /// What is wrong with the files as they are now; empty: nothing.
     [[nodiscard]] const Diagnostics& problems() const { return problems_; }
@@ -66,6 +72,7 @@ class OpenScene {
 
   private:
     bool takeNumbers();
+    [[nodiscard]] std::string editedText(Diagnostics& diagnostics) const;
 
     std::string file_;
     std::vector<std::string> given_;

@@ -89,7 +89,7 @@ void drawProgress(const std::string& text, glm::vec2 pictureSize) {
     ImGui::End();
 }
 
-bool drawTimeline(Timeline& timeline, glm::vec2 pictureSize) {
+TimelineTouch drawTimeline(Timeline& timeline, glm::vec2 pictureSize) {
     ImGui::SetNextWindowPos({0, pictureSize.y}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSize({pictureSize.x, 0});
     ImGui::SetNextWindowBgAlpha(0.7f);
@@ -98,10 +98,13 @@ bool drawTimeline(Timeline& timeline, glm::vec2 pictureSize) {
     ImGui::SameLine();
     ImGui::Checkbox("loop", &timeline.loop);
     ImGui::SameLine();
+    TimelineTouch touch;
+    touch.record = ImGui::Button("record");
+    ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    const bool moved = ImGui::SliderFloat("##time", &timeline.time, 0, timeline.duration, "%.2f s");
+    touch.moved = ImGui::SliderFloat("##time", &timeline.time, 0, timeline.duration, "%.2f s");
     ImGui::End();
-    return moved;
+    return touch;
 }
 
 }  // namespace vitrine

@@ -18,8 +18,13 @@ void drawFacts(const Facts& facts, glm::vec2 pictureSize);
 void drawMessage(const std::string& text, glm::vec2 pictureSize);
 /// What is being done meanwhile, in the lower right corner.
 void drawProgress(const std::string& text, glm::vec2 pictureSize);
-/// Returns whether a hand has changed the time.
-bool drawTimeline(Timeline& timeline, glm::vec2 pictureSize);
+
+/// What a hand has done to the timeline.
+struct TimelineTouch {
+    bool moved = false;   ///< its time is another one
+    bool record = false;  ///< a film is wanted
+};
+TimelineTouch drawTimeline(Timeline& timeline, glm::vec2 pictureSize);
 
 /// Line `line`, from 1, of a file; empty if there is none.
 std::string sourceLine(const std::string& file, int line);

@@ -27,8 +27,8 @@ void PictureOutput::finishStep() {
 void PictureOutput::write() {
     wanted_ = false;
     try {
-        const std::string name = nextPictureName("vitrine");
-        writeFileAtomically(name, encodePng(view_.stage.image(), {}));
+        const std::string name = nextFileName(".png");
+        writeFileAtomically(name, encodePng(view_.image(), {}));
         notices_.say("wrote " + name);
     } catch (const MachineError& error) {
         notices_.say(error.what());

@@ -99,10 +99,13 @@ bool Pilot::dragged(glm::vec2 pictureSize) {
 
 bool Pilot::walked(float elapsed) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || io.KeyCtrl) return false;
+    if (io.WantTextInput || io.WantCaptureKeyboard) return false;
     const auto down = [](int key) { return ImGui::IsKeyDown(key) ? 1.0f : 0.0f; };
     const glm::vec3 way(down('D') - down('A'), down('E') - down('Q'), down('W') - down('S'));
-    if (way == glm::vec3(0)) return false;
+    const bool none = way == glm::vec3(0);
+    // A letter that went down with Ctrl is a command, also when Ctrl is up again before it.
+    commanding_ = !none && (commanding_ || io.KeyCtrl);
+    if (none || commanding_) return false;
     const float speed = kWalkingSpeed * (io.KeyShift ? 4.0f : 1.0f);
     walk(camera, way * std::min(elapsed, kLongestStep) * speed, false);
     return true;

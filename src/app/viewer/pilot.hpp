@@ -34,6 +34,7 @@ class Pilot {
     Flight flight_;
     Camera followed_;
     bool held_ = false;
+    bool commanding_ = false;  ///< the letters that are down were meant otherwise
 };
 
 /// The ray through a point of the picture, as Pilot::cursor() gives it: its unit direction.

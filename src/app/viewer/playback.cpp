@@ -26,7 +26,10 @@ void Playback::addCommands(std::vector<Command>& list) {
 }
 
 void Playback::draw(glm::vec2 pictureSize) {
-    if (view_.timeline.duration > 0 && drawTimeline(view_.timeline, pictureSize)) view_.showTime();
+    if (view_.timeline.duration <= 0) return;
+    const TimelineTouch touch = drawTimeline(view_.timeline, pictureSize);
+    if (touch.moved) view_.showTime();
+    if (touch.record) recorder_.ask();
 }
 
 void Playback::step(float seconds) {

@@ -2,6 +2,7 @@
 // Hands on the time of a scene that moves.
 #pragma once
 
+#include "app/viewer/recorder.hpp"
 #include "app/viewer/scene_view.hpp"
 #include "app/viewer/tool.hpp"
 
@@ -9,13 +10,14 @@ namespace vitrine {
 
 class Playback : public Tool {
   public:
-    explicit Playback(SceneView& view) : view_(view) {}
+    Playback(SceneView& view, Recorder& recorder) : view_(view), recorder_(recorder) {}
     void addCommands(std::vector<Command>& list) override;
     void draw(glm::vec2 pictureSize) override;
 
   private:
     void step(float seconds);
     SceneView& view_;
+    Recorder& recorder_;
 };
 
 }  // namespace vitrine

@@ -4,7 +4,10 @@
 
 #include <string>
 
+#include "app/viewer/file_dialogues.hpp"
+#include "app/viewer/leaving.hpp"
 #include "app/viewer/notices.hpp"
+#include "app/viewer/recent_files.hpp"
 #include "app/viewer/scene_view.hpp"
 #include "app/viewer/tool.hpp"
 
@@ -15,23 +18,45 @@ std::string titleFor(const std::string& file);
 
 class SceneFiles : public Tool {
   public:
-    SceneFiles(Window& window, SceneView& view, Notices& notices)
-        : window_(window), view_(view), notices_(notices) {}
+    SceneFiles(Window& window, SceneView& view, Notices& notices, Leaving& leaving,
+               RecentFiles& recent)
+        : window_(window),
+          view_(view),
+          notices_(notices),
+          leaving_(leaving),
+          recent_(recent),
+          openDialogue_(window),
+          saveDialogue_(window) {}
 
     void addCommands(std::vector<Command>& list) override;
     void draw(glm::vec2 pictureSize) override;
     /// Opens the first of the files that were dropped on the window.
     void update() override;
+    [[nodiscard]] bool needsScene() const override { return false; }
+    bool takeKey(const KeyPress& press) override;
+
+    /// Shows another file, unless that would lose something that is to be kept. `of` so many files
+    /// that were offered at once.
+    void open(const std::string& file, size_t of = 1);
+    /// How often that was tried, with or without success.
+    [[nodiscard]] int attempts() const { return attempts_; }
+    /// Asks for a file and opens it.
+    void askToOpen() { openDialogue_.open(view_.scene.file()); }
 
   private:
-    void open(const std::string& file, size_t of);
+    void save(const std::string& file);
+    void show(const std::string& file, size_t of);
     void finishOpening(const SceneView::Opened& opened);
 
     Window& window_;
     SceneView& view_;
     Notices& notices_;
+    Leaving& leaving_;
+    RecentFiles& recent_;
+    OpenDialogue openDialogue_;
+    SaveDialogue saveDialogue_;
+    int attempts_ = 0;
     size_t droppedWith_ = 1;  ///< how many files were dropped with the one that is being opened
-    std::string askedFor_;    ///< a file that was not opened, for the sake of edits
 };
 
 }  // namespace vitrine

@@ -73,6 +73,12 @@ void SceneView::show() {
     split.show(window_, wish_.width, wish_.height);
 }
 
+ImageRgba8 SceneView::image() {
+    ImageRgba8 picture = stage.image();
+    split.putInto(picture);
+    return picture;
+}
+
 bool SceneView::busy() const {
     return !stage.finished() || !split.finished() || timeline.playing || pilot.flying() ||
            moving() || wish_.moving;  // the last picture was coarse
@@ -111,6 +117,11 @@ void SceneView::takeCamera(size_t camera) {
     if (camera >= cameras.size()) return;
     camera_ = camera;
     pilot.take(cameras[camera], kFlightSeconds);
+}
+
+const Camera& SceneView::sceneCamera() const {
+    const std::vector<Camera>& cameras = scene.posed().cameras;
+    return cameras[std::min(camera_, cameras.size() - 1)];
 }
 
 Latencies::Kind SceneView::takeKind() {
@@ -202,8 +213,7 @@ void SceneView::showMoment(Latencies::Kind why) {
         if (stage.covers(moment_)) stage.update(moment_);
         if (split.covers(moment_)) split.update(moment_);
         if (!workshop_.busy()) orderMissingFrames();
-        const std::vector<Camera>& cameras = scene.posed().cameras;
-        pilot.follow(cameras[std::min(camera_, cameras.size() - 1)], why != Latencies::Kind::kPlay);
+        pilot.follow(sceneCamera(), why != Latencies::Kind::kPlay);
     } catch (const InputError& error) {
         scene.report(error);
     }

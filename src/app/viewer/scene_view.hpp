@@ -57,6 +57,8 @@ class SceneView {
     void draw(int width, int height);
     /// Puts them into the window's lower left.
     void show();
+    /// What show() shows, top row first. Only when finished.
+    [[nodiscard]] ImageRgba8 image();
     /// There is something to draw, or will be soon without anybody doing anything.
     [[nodiscard]] bool busy() const;
     /// More changes are expected at once: the picture is coarse.
@@ -77,6 +79,8 @@ class SceneView {
     void showTime() { showMoment(Latencies::Kind::kPlay); }
 
     [[nodiscard]] View view() const { return view_; }
+    /// The camera that the pilot has taken, as the scene has it now.
+    [[nodiscard]] const Camera& sceneCamera() const;
     [[nodiscard]] glm::vec2 pictureSize() const { return pictureSize_; }
     [[nodiscard]] float viewHeight() const { return pilot.viewHeight(pictureSize_); }
     [[nodiscard]] const PackedMoment& moment() const { return moment_; }

@@ -50,9 +50,23 @@ void Split::draw(Stage::Wish wish, double budgetSeconds) {
     stage_->draw(wish, budgetSeconds);
 }
 
+int Split::leftOf(int width) const {
+    return static_cast<int>(std::lround(line_ * static_cast<float>(width)));
+}
+
+void Split::putInto(ImageRgba8& picture) {
+    if (stage_ == nullptr || !shown_) return;
+    const ImageRgba8 other = stage_->image();
+    const auto skipped = static_cast<size_t>(leftOf(picture.width)) * ImageRgba8::kChannels;
+    for (int y = 0; y < picture.height; ++y) {
+        const auto right = other.row(y).subspan(skipped);
+        std::copy(right.begin(), right.end(), picture.row(y).subspan(skipped).begin());
+    }
+}
+
 void Split::show(Window& window, int width, int height) const {
     if (stage_ == nullptr || !shown_ || stage_->picture() == nullptr) return;
-    const int left = static_cast<int>(std::lround(line_ * static_cast<float>(width)));
+    const int left = leftOf(width);
     window.show(*stage_->picture(), {0, 0, width, height}, {left, 0, width - left, height});
 }
 

@@ -31,10 +31,14 @@ class Split {
 
     /// Shows the picture right of the line, over the other one, which has this size.
     void show(Window& window, int width, int height) const;
+    /// The same into the other one's pixels. Only when finished; nothing if closed.
+    void putInto(ImageRgba8& picture);
     /// The line, to be dragged, over a picture of this size in ImGui units.
     void drawLine(glm::vec2 pictureSize, const std::string& leftName, const std::string& rightName);
 
   private:
+    /// The first column right of the line.
+    [[nodiscard]] int leftOf(int width) const;
     std::unique_ptr<Stage> stage_;
     bool open_ = false;
     View view_ = View::kNormal;  ///< that is asked for

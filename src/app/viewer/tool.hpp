@@ -27,8 +27,17 @@ class Tool {
     virtual void update() {}
     /// A little more of the picture has been drawn.
     virtual void finishStep() {}
+    /// Puts its own picture over the scene's.
+    virtual void show() {}
     /// There is something to do although nothing happens and the picture rests.
     [[nodiscard]] virtual bool busy() const { return false; }
+    /// The scene stands still and is not drawn: camera, time, edits and files wait.
+    [[nodiscard]] virtual bool holdsScene() const { return false; }
+    /// Whether it has to do with the scene alone: then it neither draws nor updates while another
+    /// one holds that.
+    [[nodiscard]] virtual bool needsScene() const { return true; }
+    /// A key went down. Whether it is taken: then nobody behind gets it, and no command runs.
+    virtual bool takeKey(const KeyPress& /*press*/) { return false; }
 };
 
 }  // namespace vitrine
