@@ -229,7 +229,7 @@ bool Frame::rasters() const {
 /// and, with counters, which are written as a whole, fields.
 void Frame::rasterise() {
     if (!rasters()) return;
-    hits_ = planFirstHits(context_, instances_, FieldFinder::kFaster);
+    hits_ = planFirstHits(context_, instances_, request_.finder);
     rasterMeshes(context_, hits_, depth_, paths_[1].records, paths_[0].records);
     if (context_.counting)
         findFields(context_, hits_, fieldRoot_, depth_, paths_[1].records, paths_[0].records);

@@ -35,8 +35,9 @@ struct FrameRequest {
     View view = View::kColor;
     int treeLevel = 0;  ///< of View::kBvh
     Primary primary = Primary::kRaster;
-    bool timing = false;  ///< measure the passes; always with counters
-    bool layers = false;  ///< keep what layers() needs
+    FieldFinder finder = FieldFinder::kFaster;  ///< behind what is rasterised
+    bool timing = false;                        ///< measure the passes; always with counters
+    bool layers = false;                        ///< keep what layers() needs
     RenderMode mode = RenderMode::kHybrid;
     bool quick = false;  ///< few looks for light, for a picture that moves
 };

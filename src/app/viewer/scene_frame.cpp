@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/viewer/scene_frame.hpp"
 
+#include <algorithm>
+
 #include "frame/check_snippets.hpp"
 
 namespace vitrine {
@@ -35,7 +37,7 @@ void SceneFrame::prepare(const LoadedScene& scene, const PackedMoment& moment, c
         frame_ = std::make_unique<Frame>(*context_, scene.packed, Backend::kAuto, counters_);
         frame_->update(moment);
         frame_->callBeforeCompiling(checkpoint);
-        compile(wish, moment.worldBox);
+        compile(wish, moment);
         frame_->callBeforeCompiling({});
     } catch (const InputError&) {
         // One program reports one snippet's mistakes at best: ask each snippet by itself.
@@ -44,16 +46,25 @@ void SceneFrame::prepare(const LoadedScene& scene, const PackedMoment& moment, c
     }
 }
 
-void SceneFrame::compile(const Wish& wish, const Aabb& world) {
+void SceneFrame::compile(const Wish& wish, const PackedMoment& moment) {
+    const auto draw = [&](const Wish& small, FieldFinder finder) {
+        FrameRequest request = smallRequestFor(small);
+        request.finder = finder;
+        frame_->begin(request);
+        frame_->drawSample();
+        frame_->display();
+    };
     Wish moving = wish, still = wish, whole = wish;
     moving.moving = whole.moving = true;
     still.moving = false;
-    whole.camera = overview(wish.camera, world);
-    for (const Wish& each : {moving, still, whole}) {
-        frame_->begin(smallRequestFor(each));
-        frame_->drawSample();
-        frame_->display();
-    }
+    whole.camera = overview(wish.camera, moment.worldBox);
+    draw(moving, FieldFinder::kFaster);
+    draw(still, FieldFinder::kFaster);
+    draw(whole, FieldFinder::kBoxes);
+    // Where fields crowd, and then only, they are found by the tree (frame/first_hits.cpp).
+    const auto fields = std::count_if(moment.instances.begin(), moment.instances.end(),
+                                      [](const PackedInstance& i) { return i.field; });
+    if (fields > 2) draw(whole, FieldFinder::kTree);
 }
 
 }  // namespace vitrine

@@ -36,7 +36,7 @@ class SceneFrame {
     [[nodiscard]] const Frame& frame() const { return *frame_; }
 
   private:
-    void compile(const Wish& wish, const Aabb& world);
+    void compile(const Wish& wish, const PackedMoment& moment);
     std::shared_ptr<const SharedContext> context_;
     std::unique_ptr<Frame> frame_;
     bool counters_ = false, records_ = false, lit_ = false;
