@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "base/file.hpp"
@@ -76,7 +77,12 @@ void drawMessage(const std::string& text, glm::vec2 pictureSize) {
     ImGui::SetNextWindowBgAlpha(0.8f);
     ImGui::Begin("Message", nullptr,
                  kLabel | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    // A window that fits its text gives it no width to wrap at.
+    const float room = pictureSize.x - 4 * ImGui::GetFontSize();
+    ImGui::PushTextWrapPos(std::min(ImGui::CalcTextSize(text.c_str()).x + 1, room) +
+                           ImGui::GetCursorPosX());
     ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
     ImGui::End();
 }
 
