@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/viewer/handles.hpp"
 #include "app/viewer/inspector.hpp"
 #include "app/viewer/overlay.hpp"
 #include "app/viewer/panel.hpp"
@@ -21,6 +22,7 @@
 #include "app/viewer/progress_note.hpp"
 #include "app/viewer/scene_files.hpp"
 #include "app/viewer/view_menu.hpp"
+#include "app/viewer/walking.hpp"
 #include "base/file.hpp"
 
 namespace vitrine {
@@ -74,7 +76,9 @@ class Viewer {
         tools_.push_back(std::make_unique<ProgressNote>(*window_, view_));
         tools_.push_back(std::make_unique<Inspector>(*window_, view_));
         tools_.push_back(std::make_unique<PassTimes>(*window_, view_));
-        tools_.push_back(std::make_unique<Pointer>(view_));
+        tools_.push_back(std::make_unique<Handles>(*window_, view_));
+        tools_.push_back(std::make_unique<Pointer>(view_, surroundings_));
+        tools_.push_back(std::make_unique<Walking>(view_, surroundings_));
         tools_.push_back(std::make_unique<Playback>(view_));
         tools_.push_back(std::make_unique<ViewMenu>(view_));
     }
@@ -172,6 +176,7 @@ class Viewer {
     std::unique_ptr<Window> window_;
     SceneView view_;
     Notices notices_;
+    Surroundings surroundings_{view_};
     std::vector<std::unique_ptr<Tool>> tools_;
     Panel panel_;
     Clock::time_point before_ = Clock::now();
