@@ -2,6 +2,7 @@
 // A sample in many small bands is, to the last bit, the sample drawn at once.
 #include "gpu_support.hpp"
 #include "mesh/primitives.hpp"
+#include "pack/hit_record.hpp"
 
 namespace vitrine {
 namespace {
@@ -102,6 +103,35 @@ TEST_F(BandsTest, MakeTheSameViews) {
     for (const View view : {View::kNormal, View::kReflection, View::kShadow, View::kNodes}) {
         SCOPED_TRACE(viewNames()[static_cast<size_t>(view)]);
         expectSame(frame, request(view, 2, Primary::kRaster));
+    }
+}
+
+/// The window asks what a camera runs into while a sample is being worked on.
+TEST_F(BandsTest, RaysAskedInBetweenChangeNothing) {
+    const LoadedScene loaded = things(false);
+    for (const bool counters : {false, true}) {
+        SCOPED_TRACE(counters);
+        RayQuery query(context(), loaded.packed, Backend::kFragment);
+        Frame frame(context(), loaded.packed, Backend::kFragment, counters);
+        const FrameRequest r = request(View::kColor, 2, Primary::kRaster);
+        const Drawn undisturbed = inBands(frame, r);
+        frame.begin(r);
+        while (frame.samplesDrawn() < r.samples) {
+            frame.advance(0);
+            std::vector<QueryRay> rays;
+            for (int i = 0; i <= 40 * frame.samplesDrawn(); ++i)
+                rays.push_back(
+                    {{0.5f, 1.5f, 4},
+                     1e-3f,
+                     glm::normalize(glm::vec3(0.03f * static_cast<float>(i) - 0.5f, -0.4f, -1)),
+                     i % 7 == 0 ? 1.0f : 50.0f});
+            const std::vector<glm::uvec4> found = frame.closest(rays);
+            EXPECT_TRUE(found == query.closest(rays));
+            EXPECT_FALSE(record::isSurface(found[0])) << "it ends before the ground";
+        }
+        EXPECT_EQ(frame.picture().pixels, undisturbed.picture.pixels);
+        EXPECT_EQ(frame.statistics().nodes, undisturbed.statistics.nodes);
+        EXPECT_EQ(frame.statistics().bounceRays, undisturbed.statistics.bounceRays);
     }
 }
 

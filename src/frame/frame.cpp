@@ -323,6 +323,22 @@ PixelCounts Frame::countsAt(glm::vec2 place) const {
     return {counts.x, counts.y, counts.z, counts.w & 0xffffu, counts.w >> 16};
 }
 
+std::vector<glm::uvec4> Frame::closest(std::span<const QueryRay> rays) {
+    const FrameBlock block = context_.block;
+    std::array<Texture, 2> counters;
+    std::swap(counters, context_.counters);
+    const PixelRows rows = std::exchange(context_.rows, {});
+    const bool timing = std::exchange(context_.timing, false);
+    context_.block.cameraEye.w = 0;  // cones do not widen: they are not those of the picture
+    queries_.prepare(context_, rays);
+    queries_.run(context_, "query_closest");
+    context_.block = block;
+    context_.rows = rows;
+    context_.timing = timing;
+    std::swap(counters, context_.counters);
+    return queries_.read();
+}
+
 ImageRgba8 Frame::picture() {
     display();
     const std::vector<uint8_t> bytes = picture_.readBytes();

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "frame/first_hits.hpp"
+#include "frame/pass_query.hpp"
 #include "frame/passes.hpp"
 #include "frame/tree_boxes.hpp"
 #include "frame/view.hpp"
@@ -92,6 +93,8 @@ class Frame {
     /// What a place, as above, of the last sample has cost. Needs counters, and a sample; not while
     /// one is being worked on.
     [[nodiscard]] PixelCounts countsAt(glm::vec2 place) const;
+    /// What rays meet that have nothing to do with the picture. Between samples or not.
+    [[nodiscard]] std::vector<glm::uvec4> closest(std::span<const QueryRay> rays);
     /// The same as display(), top row first.
     [[nodiscard]] ImageRgba8 picture();
     /// The picture as data. Needs a request with `layers`.
@@ -116,6 +119,7 @@ class Frame {
     void addCounts();
 
     PassContext context_;
+    RayImages queries_;
     FrameRequest request_;
     int sample_ = 0;
     int rowsDone_ = 0;  ///< of the sample that advance() works on

@@ -23,6 +23,21 @@ struct QueryCounts {
     uint32_t largestLoopCount = 0;
 };
 
+/// The rays of a query and what they have found, as images.
+class RayImages {
+  public:
+    /// Uploads the rays, and sets `context` up for them: its picture's size and counters.
+    void prepare(PassContext& context, std::span<const QueryRay> rays);
+    void run(PassContext& context, const std::string& pass);
+    /// A record a ray.
+    [[nodiscard]] std::vector<glm::uvec4> read() const;
+    [[nodiscard]] size_t count() const { return count_; }
+
+  private:
+    Texture origins_, directions_, records_;
+    size_t count_ = 0;
+};
+
 class RayQuery {
   public:
     RayQuery(const Context& context, const PackedScene& scene, Backend backend,
@@ -36,18 +51,16 @@ class RayQuery {
     std::vector<glm::uvec4> any(std::span<const QueryRay> rays) { return ask("query_any", rays); }
 
     /// Uploads the rays for runs of `repeat`, which draws and waits, to be timed.
-    void prepare(std::span<const QueryRay> rays);
+    void prepare(std::span<const QueryRay> rays) { images_.prepare(context_, rays); }
     void repeat(bool anyHit);
     /// Of the last run; needs counters.
     [[nodiscard]] QueryCounts counts() const;
 
   private:
     std::vector<glm::uvec4> ask(const std::string& pass, std::span<const QueryRay> rays);
-    void run(const std::string& pass);
 
     PassContext context_;
-    Texture origins_, directions_, records_;
-    size_t rayCount_ = 0;
+    RayImages images_;
 };
 
 }  // namespace vitrine

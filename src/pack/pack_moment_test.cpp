@@ -125,6 +125,31 @@ TEST(PackMoment, GivesTheBytesOfAFullPack) {
     }
 }
 
+TEST(PackMoment, WhatHangsOnAHiddenNodeIsHiddenToo) {
+    Moving m;
+    m.scene.animations.clear();
+    const auto shown = [&] {
+        std::vector<size_t> nodes;
+        for (const PackedInstance& instance : m.pack(m.scene).instances)
+            nodes.push_back(instance.node);
+        return nodes;
+    };
+    m.scene.nodes[4].parent.name = "n3";  // a mesh, a field below it, and one of each below that
+    m.scene.nodes[5].parent.name = "n4";
+    m.scene.nodes[6].parent.name = "n4";
+    m.scene.nodes[4].visible = false;
+    EXPECT_EQ(shown(), (std::vector<size_t>{0, 1, 2, 3, 7, 8}));
+    m.scene.lights.emplace_back().node = 6;
+    m.scene.lights.emplace_back().node = 7;
+    const int lights = m.pack(m.scene).block.counts.x;
+    m.scene.nodes[0].visible = false;
+    EXPECT_EQ(shown(), std::vector<size_t>{}) << "all hang on it";
+    EXPECT_EQ(m.pack(m.scene).block.counts.x, lights - 1);
+    m.scene.nodes[0].visible = m.scene.nodes[4].visible = true;
+    EXPECT_EQ(shown().size(), 9u);
+    EXPECT_EQ(m.pack(m.scene).block.counts.x, lights + 1);
+}
+
 TEST(PackMoment, HiddenNodesCanAppear) {
     Moving m;
     m.scene.animations.clear();

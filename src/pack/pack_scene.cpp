@@ -50,7 +50,9 @@ class Packer {
   private:
     void packLights() {
         std::vector<PackedLight> lights;
-        for (const Light& light : scene_.lights) lights.push_back(packLight(light));
+        const std::vector<bool> visible = visibleNodes(scene_);
+        for (const Light& light : scene_.lights)
+            if (!light.node || visible[*light.node]) lights.push_back(packLight(light));
         if (geometry_.sky != nullptr && geometry_.sky->sun)
             lights.push_back(packLight(sunOfSky(*geometry_.sky->sun, scene_.environment)));
         // Those with a size first: rays look for them.
@@ -73,6 +75,7 @@ class Packer {
 
     void packInstances() {
         const std::vector<glm::mat4> world = worldFromNodes(scene_);
+        const std::vector<bool> visible = visibleNodes(scene_);
         std::vector<bool> moved;  // when it is asked for
         for (size_t i = 0; i < scene_.nodes.size(); ++i) {
             const Node& node = scene_.nodes[i];
@@ -83,7 +86,7 @@ class Packer {
             const auto& field = assets_.fields[named->second];
             if (field == nullptr && !node.set.empty() && shape.sdf.empty())
                 diagnostics_.error(node.set[0].where, "only an SDF shape has parameters to set");
-            if ((mesh == nullptr && field == nullptr) || !node.visible) continue;
+            if ((mesh == nullptr && field == nullptr) || !visible[i]) continue;
             if (field != nullptr && !field->box()) {
                 diagnostics_.error({field->file}, "the field's bounds are not known");
                 continue;
@@ -98,7 +101,7 @@ class Packer {
                                     node.name));
                 continue;
             }
-            addInstance(node, world[i], named->second);
+            addInstance(i, world[i], named->second);
         }
         out_.block.counts.z = addUpperLevel(false);
         out_.fieldRoot = geometry_.hasMeshes ? addUpperLevel(true) : out_.block.counts.z;
@@ -127,7 +130,8 @@ class Packer {
         return static_cast<int>(layout_.addInstances(buildBvh(boxes, options), numbers));
     }
 
-    void addInstance(const Node& node, const glm::mat4& worldFromObject, size_t shape) {
+    void addInstance(size_t nodeNumber, const glm::mat4& worldFromObject, size_t shape) {
+        const Node& node = scene_.nodes[nodeNumber];
         const Shape& shapeOfNode = scene_.shapes[shape];
         const auto& mesh = assets_.meshes[shape];
         const auto& field = assets_.fields[shape];
@@ -166,11 +170,11 @@ class Packer {
 
         const Aabb worldBox = instanceBox(box, worldFromObject);
         out_.worldBox.grow(worldBox);
-        out_.instances.push_back({node.name, worldFromObject, worldBox, field != nullptr,
-                                  firstTriangle, mesh != nullptr ? mesh->mesh->triangles.size() : 0,
-                                  box, mesh, (flags & VITRINE_INSTANCE_CULLED) != 0,
-                                  (flags & VITRINE_INSTANCE_FILTERED) != 0,
-                                  field != nullptr ? static_cast<int>(indices.y) : 0});
+        out_.instances.push_back(
+            {node.name, nodeNumber, worldFromObject, worldBox, field != nullptr, firstTriangle,
+             mesh != nullptr ? mesh->mesh->triangles.size() : 0, box, mesh,
+             (flags & VITRINE_INSTANCE_CULLED) != 0, (flags & VITRINE_INSTANCE_FILTERED) != 0,
+             field != nullptr ? static_cast<int>(indices.y) : 0});
     }
 
     /// Joins the tables; material lists get addresses of the whole.

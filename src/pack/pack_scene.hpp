@@ -15,6 +15,7 @@ namespace vitrine {
 
 struct PackedInstance {
     std::string name;
+    size_t node = 0;  ///< in Scene::nodes
     glm::mat4 worldFromObject{1};
     Aabb worldBox;
     bool field = false;

@@ -38,10 +38,10 @@ std::vector<PackedInstance> instances(TreeBuilder builder) {
     turned = glm::scale(glm::translate(glm::mat4(1), glm::vec3(5, 1, 0)) * turned,
                         glm::vec3(-1, 2, 0.5f));
     const Aabb bounds{{-1, -1, -1}, {1, 2, 1}};
-    return {{"first", glm::mat4(1), {}, false, 0, 400, soup->bvh.box(), soup},
-            {"second one", turned, {}, false, 0, 400, soup->bvh.box(), soup},
-            {"flat", glm::mat4(1), {}, false, 400, 2, flat->bvh.box(), flat},
-            {"", glm::translate(glm::mat4(1), glm::vec3(0, 9, 0)), {}, true, 0, 0, bounds, {}}};
+    return {{"first", 0, glm::mat4(1), {}, false, 0, 400, soup->bvh.box(), soup},
+            {"second one", 1, turned, {}, false, 0, 400, soup->bvh.box(), soup},
+            {"flat", 2, glm::mat4(1), {}, false, 400, 2, flat->bvh.box(), flat},
+            {"", 3, glm::translate(glm::mat4(1), glm::vec3(0, 9, 0)), {}, true, 0, 0, bounds, {}}};
 }
 
 bool contains(const Aabb& box, const glm::vec3& p, float slack) {

@@ -306,7 +306,7 @@ const OptionTable<Node>& nodeOptions() {
         {"at", &Node::at, kAnyNumber, "position, m"},
         {"rotate", &Node::rotate, kAnyNumber, "degrees about x, then y, then z"},
         {"scale", ScaleMember<Node>{&Node::scale}, kAnyNumber, "one factor, or one an axis"},
-        {"visible", &Node::visible, kNone, "false hides it from every ray"},
+        {"visible", &Node::visible, kNone, "false hides it, and what hangs on it, from every ray"},
     };
     return table;
 }

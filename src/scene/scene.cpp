@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -72,6 +73,35 @@ std::vector<glm::mat4> worldFromNodes(const Scene& scene) {
             world[chain[i]] = m = m * parentFromNode(scene.nodes[chain[i]]);
     }
     return world;
+}
+
+std::vector<bool> visibleNodes(const Scene& scene) {
+    std::vector<bool> visible(scene.nodes.size());
+    for (size_t i = 0; i < visible.size(); ++i) visible[i] = scene.nodes[i].visible;
+    if (std::find(visible.begin(), visible.end(), false) == visible.end()) return visible;
+    std::unordered_map<std::string, size_t> indexOf;
+    for (size_t i = 0; i < scene.nodes.size(); ++i) indexOf[scene.nodes[i].name] = i;
+    indexOf.erase("");
+    std::vector<bool> visited(scene.nodes.size(), false);
+    std::vector<size_t> chain;
+    for (size_t start = 0; start < scene.nodes.size(); ++start) {
+        chain.clear();
+        bool shown = true;
+        for (size_t at = start;;) {
+            if (visited[at]) {
+                shown = visible[at];
+                break;
+            }
+            visited[at] = true;
+            chain.push_back(at);
+            const auto parent = indexOf.find(scene.nodes[at].parent.name);
+            if (parent == indexOf.end()) break;
+            at = parent->second;
+        }
+        for (size_t i = chain.size(); i-- > 0;)
+            visible[chain[i]] = shown = shown && visible[chain[i]];
+    }
+    return visible;
 }
 
 }  // namespace vitrine

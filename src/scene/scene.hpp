@@ -302,4 +302,7 @@ struct Scene {
 /// `worldFromObject` of each node: translation, rotation and scale of it and its ancestors.
 std::vector<glm::mat4> worldFromNodes(const Scene& scene);
 
+/// Which nodes are there for rays: neither they nor an ancestor has been made invisible.
+std::vector<bool> visibleNodes(const Scene& scene);
+
 }  // namespace vitrine

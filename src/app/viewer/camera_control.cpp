@@ -96,6 +96,11 @@ void Flight::bendThrough(glm::vec3 point) {
     bend_ = 2.0f * (point - 0.5f * (from_.eye + to_.eye));
 }
 
+void Flight::setGoal(const Camera& to) {
+    to_ = to;
+    worldFromCamera_[1] = orientationOf(to);
+}
+
 glm::vec3 Flight::eyeAt(float share) const {
     return glm::mix(from_.eye, to_.eye, share) + 2 * share * (1 - share) * bend_;
 }

@@ -39,6 +39,8 @@ class Flight {
     Flight(const Camera& from, const Camera& to, float seconds);
     /// A point that the eye's way passes at half time.
     void bendThrough(glm::vec3 point);
+    /// Ends elsewhere, at the same time.
+    void setGoal(const Camera& to);
     [[nodiscard]] bool active() const { return duration_ > 0; }
     /// The camera after `seconds` more; ends by itself, exactly at its goal.
     Camera advance(float seconds);

@@ -133,5 +133,25 @@ TEST(CameraControl, LookingAtShowsTheBall) {
     EXPECT_NEAR(edge.y, 0.32f, 1e-3);
 }
 
+TEST(Flight, EndsWhereItsGoalHasGone) {
+    Camera from, to, later;
+    from.eye = {0, 0, 4};
+    from.target = {0, 0, 0};
+    to.eye = {4, 0, 0};
+    to.target = {0, 0, 0};
+    later.eye = {0, 3, -4};
+    later.target = {0, 1, 0};
+    Flight flight(from, to, 1);
+    flight.advance(0.5f);
+    flight.setGoal(later);
+    const Camera almost = flight.advance(0.49f);
+    EXPECT_LT(glm::distance(almost.eye, later.eye), 1e-2f);
+    EXPECT_LT(glm::distance(almost.target, later.target), 5e-2f);
+    const Camera end = flight.advance(0.1f);
+    EXPECT_EQ(end.eye, later.eye);
+    EXPECT_EQ(end.target, later.target);
+    EXPECT_FALSE(flight.active());
+}
+
 }  // namespace
 }  // namespace vitrine

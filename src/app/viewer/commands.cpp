@@ -17,7 +17,7 @@ const std::array<std::pair<std::string, std::string>, 8> kMouse{
      {"right or middle drag", "move sideways and up"},
      {"wheel", "nearer and farther, at the cursor"},
      {"click", "select what is under the cursor"},
-     {"W A S D  Q E", "walk, down and up; Shift: faster"},
+     {"W A S D  Q E", "walk or fly, down and up; Shift: faster"},
      {"right drag while walking", "look around"},
      {"double click", "fly to what is under the cursor"},
      {"Ctrl+click on a slider", "type its value"}}};

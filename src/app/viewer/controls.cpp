@@ -87,7 +87,7 @@ void Controls::send(const std::string& key, const std::string& value) {
     static double clicked = -1;
     static std::string last;
     const double click = ImGui::GetIO().MouseClickedTime[0];
-    if (click != clicked || key != last) ++gesture;
+    if (click != clicked || key != last) gesture = edits_.newGesture();
     clicked = click;
     last = key;
     edits_.set(key, value, gesture);

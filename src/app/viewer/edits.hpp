@@ -13,6 +13,8 @@ class Edits {
     /// Sets a key ("material.red.roughness") to a TOML value. Calls with the same `gesture` (one
     /// drag of one slider) are one step of undo; 0 is a step by itself.
     void set(const std::string& key, const std::string& value, int gesture = 0);
+    /// A number that no gesture has had.
+    int newGesture() { return ++gestures_; }
     /// Back to what the file says.
     void reset(const std::string& key);
     bool undo();
@@ -35,7 +37,7 @@ class Edits {
     void remember(int gesture);
     Values values_;
     std::vector<Values> past_, future_;
-    int gesture_ = 0;
+    int gesture_ = 0, gestures_ = 0;
     int version_ = 0;
 };
 

@@ -96,6 +96,11 @@ void Panel::draw(const Scene& scene, const Assets& assets, Edits& edits, Selecti
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##search", "search all settings", &filter_);
     Controls controls(edits, filter_);
+    // A search finds settings, whatever they belong to.
+    if (!controls.searching()) {
+        ImGui::SetNextItemOpen(true, ImGuiCond_Once);
+        if (header("Objects", controls)) tree_.draw(scene, edits, selection);
+    }
     const bool selected =
         selection.node >= 0 && static_cast<size_t>(selection.node) < scene.nodes.size();
     if (selected) {
@@ -117,7 +122,7 @@ void Panel::draw(const Scene& scene, const Assets& assets, Edits& edits, Selecti
                 materialRows(scene, assets, i, controls);
                 ImGui::TreePop();
             }
-    if (header("Objects", controls))
+    if (controls.searching() && header("Objects", controls))
         for (size_t i = 0; i < scene.nodes.size(); ++i) {
             const Node& node = scene.nodes[i];
             if (node.name.empty() || !nodeFound(scene, assets, node, controls)) continue;

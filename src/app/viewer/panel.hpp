@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/viewer/scene_view.hpp"
+#include "app/viewer/tree_rows.hpp"
 #include "pack/assets.hpp"
 #include "scene/scene.hpp"
 
@@ -18,6 +19,7 @@ class Panel {
 
   private:
     std::string filter_;
+    ObjectTree tree_;
 };
 
 }  // namespace vitrine

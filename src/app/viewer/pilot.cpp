@@ -34,7 +34,13 @@ void Pilot::flyTo(const Camera& goal, float seconds) {
     if (seconds <= 0)
         camera = goal;
     else
-        flight_ = Flight(camera, goal, seconds);
+        depart(goal, seconds);
+}
+
+void Pilot::depart(const Camera& goal, float seconds) {
+    flight_ = Flight(camera, goal, seconds);
+    if (!detour) return;
+    if (const auto point = detour(camera, goal)) flight_.bendThrough(*point);
 }
 
 void Pilot::take(const Camera& sceneCamera, float seconds) {
@@ -48,7 +54,9 @@ void Pilot::follow(const Camera& sceneCamera, bool edited) {
                        sceneCamera.up != followed_.up;
     const Camera before = std::exchange(camera, sceneCamera);
     followed_ = sceneCamera;
-    if (moved && (edited || !held_)) {
+    if (moved && !edited && !held_ && flight_.active()) {
+        flight_.setGoal(sceneCamera);  // on the way to a camera that goes on
+    } else if (moved && (edited || !held_)) {
         flight_.stop();
         held_ = false;
         return;
@@ -99,15 +107,19 @@ bool Pilot::dragged(glm::vec2 pictureSize) {
 
 bool Pilot::walked(float elapsed) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || io.WantCaptureKeyboard) return false;
     const auto down = [](int key) { return ImGui::IsKeyDown(key) ? 1.0f : 0.0f; };
     const glm::vec3 way(down('D') - down('A'), down('E') - down('Q'), down('W') - down('S'));
-    const bool none = way == glm::vec3(0);
-    // A letter that went down with Ctrl is a command, also when Ctrl is up again before it.
-    commanding_ = !none && (commanding_ || io.KeyCtrl);
-    if (none || commanding_) return false;
-    const float speed = kWalkingSpeed * (io.KeyShift ? 4.0f : 1.0f);
-    walk(camera, way * std::min(elapsed, kLongestStep) * speed, false);
+    // Who lets go of Ctrl before the S of Ctrl+S does not want to walk.
+    if (way == glm::vec3(0)) meantOtherwise_ = walking_ = false;
+    const bool otherwise = io.WantTextInput || io.WantCaptureKeyboard || io.KeyCtrl;
+    if (!walking_) meantOtherwise_ = meantOtherwise_ || otherwise;
+    if (meantOtherwise_ || otherwise) return false;
+    walking_ = way != glm::vec3(0);
+    const float seconds = std::min(elapsed, kLongestStep);
+    const glm::vec3 metres = way * seconds * kWalkingSpeed * (io.KeyShift ? 4.0f : 1.0f);
+    if (legs) return legs(camera, metres, seconds);
+    if (way == glm::vec3(0)) return false;
+    walk(camera, metres, true);
     return true;
 }
 

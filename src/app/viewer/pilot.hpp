@@ -2,6 +2,9 @@
 // Hands on the camera: mouse and keys of a frame of the interface become moves of the camera.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "app/viewer/camera_control.hpp"
 
 namespace vitrine {
@@ -9,6 +12,11 @@ namespace vitrine {
 class Pilot {
   public:
     Camera camera;
+    /// Moves a camera by metres (right, up, forward) that a hand asks for in `elapsed` seconds, as
+    /// far as the scene lets it; also called without a wish. Returns whether it moved.
+    std::function<bool(Camera&, glm::vec3 metres, float elapsed)> legs;
+    /// A point that a flight is to pass at half its way.
+    std::function<std::optional<glm::vec3>(const Camera& from, const Camera& to)> detour;
 
     /// Takes what ImGui says of the mouse and the keys over a picture of this size (ImGui units,
     /// from the upper left). Returns whether the camera moved.
@@ -29,12 +37,14 @@ class Pilot {
     [[nodiscard]] float viewHeight(glm::vec2 pictureSize) const;
 
   private:
+    void depart(const Camera& goal, float seconds);
     bool dragged(glm::vec2 pictureSize);
     bool walked(float elapsed);
     Flight flight_;
     Camera followed_;
     bool held_ = false;
-    bool commanding_ = false;  ///< the letters that are down were meant otherwise
+    bool walking_ = false;
+    bool meantOtherwise_ = false;  ///< the keys to walk that are down
 };
 
 /// The ray through a point of the picture, as Pilot::cursor() gives it: its unit direction.

@@ -3,8 +3,13 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
+#include "app/viewer/node_tree.hpp"
+#include "app/viewer/way_round.hpp"
 #include "pack/hit_record.hpp"
 
 namespace vitrine {
@@ -32,6 +37,7 @@ void Pointer::addCommands(std::vector<Command>& list) {
 
 void Pointer::update() {
     const ImGuiIO& io = ImGui::GetIO();
+    if (std::exchange(view_.selection.visited, false)) flyToSelection();
     if (io.WantCaptureMouse) return;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return flyToCursor();
     const ImVec2 way = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0);
@@ -44,16 +50,15 @@ void Pointer::select() {
     const glm::uvec4 hit = view_.pick();
     const PackedMoment& moment = view_.moment();
     if (!record::isSurface(hit) || hit.x >= moment.instances.size()) return;
-    const std::string& name = moment.instances[hit.x].name;
-    const std::vector<Node>& nodes = view_.scene.loaded().scene.nodes;
-    for (size_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i].name == name) view_.selection = {static_cast<int>(i), true};
+    view_.selection = {static_cast<int>(moment.instances[hit.x].node), true};
 }
 
 void Pointer::flyToCursor() {
     if (ImGui::GetIO().WantCaptureMouse) return;
     const glm::uvec4 hit = view_.pick();
     if (!record::isSurface(hit)) return;
+    if (hit.x < view_.moment().instances.size() && flyToScreen(view_.moment().instances[hit.x]))
+        return;
     const float distance = record::recordDistance(hit);
     const float height = view_.viewHeight();
     const Camera& camera = view_.pilot.camera;
@@ -61,6 +66,35 @@ void Pointer::flyToCursor() {
     // A third of the way remains: near enough to see it, far enough to see where it is.
     const float radius = 0.1f * distance * height;
     view_.pilot.flyTo(lookingAt(camera, point, radius, height), kFlightSeconds);
+}
+
+void Pointer::flyToSelection() {
+    const std::vector<Node>& nodes = view_.scene.loaded().scene.nodes;
+    const int selected = view_.selection.node;
+    if (selected < 0 || static_cast<size_t>(selected) >= nodes.size()) return;
+    const auto node = static_cast<size_t>(selected);
+    const NodeTree tree(view_.scene.loaded().scene);
+    Aabb box;
+    for (const PackedInstance& instance : view_.moment().instances) {
+        if (instance.node == node && flyToScreen(instance)) return;
+        if (tree.isWithin(instance.node, node)) box.grow(instance.worldBox);
+    }
+    if (box.empty()) return;
+    const float radius = 0.5f * glm::length(box.extent());
+    view_.pilot.flyTo(
+        lookingAt(view_.pilot.camera, box.centre(), 0.7f * radius, view_.viewHeight()),
+        kFlightSeconds);
+}
+
+bool Pointer::flyToScreen(const PackedInstance& instance) {
+    const Camera& camera = view_.pilot.camera;
+    const auto screen = screenOf(instance.objectBox, instance.worldFromObject, camera.eye);
+    if (!screen) return false;
+    const glm::vec2 size = view_.pictureSize();
+    const Camera goal = squareInFront(camera, *screen, size.x / std::max(size.y, 1.0f));
+    if (!isSeen(*screen, goal, std::ref(surroundings_))) return false;
+    view_.pilot.flyTo(goal, kFlightSeconds);
+    return true;
 }
 
 }  // namespace vitrine

@@ -38,6 +38,9 @@ void SceneFrame::prepare(const LoadedScene& scene, const PackedMoment& moment, c
         frame_->update(moment);
         frame_->callBeforeCompiling(checkpoint);
         compile(wish, moment);
+        // A camera that walks asks what it would run into (surroundings.hpp).
+        const QueryRay nowhere{wish.camera.eye, 0, {0, 1, 0}, 0};
+        if (scene.packed.hasFields) (void)frame_->closest(std::span(&nowhere, 1));
         frame_->callBeforeCompiling({});
     } catch (const InputError&) {
         // One program reports one snippet's mistakes at best: ask each snippet by itself.

@@ -210,6 +210,7 @@ void SceneView::showDelivered(Workshop::Delivery& delivery) {
 void SceneView::showMoment(Latencies::Kind why) {
     try {
         moment_ = scene.moment(timeline.time);
+        ++moments_;
         if (stage.covers(moment_)) stage.update(moment_);
         if (split.covers(moment_)) split.update(moment_);
         if (!workshop_.busy()) orderMissingFrames();

@@ -25,6 +25,7 @@ namespace vitrine {
 struct Selection {
     int node = -1;
     bool justMade = false;  ///< the panel scrolls to it once
+    bool visited = false;   ///< fly to it, once
 };
 
 class SceneView {
@@ -85,6 +86,8 @@ class SceneView {
     [[nodiscard]] float viewHeight() const { return pilot.viewHeight(pictureSize_); }
     [[nodiscard]] const PackedMoment& moment() const { return moment_; }
     [[nodiscard]] const Stage::Wish& wish() const { return wish_; }
+    /// Counts the moments shown.
+    [[nodiscard]] int moments() const { return moments_; }
     /// Counts what has made the picture another one.
     [[nodiscard]] int changes() const { return changes_; }
     /// The weightiest that has happened since the last call.
@@ -125,7 +128,7 @@ class SceneView {
     glm::vec2 pictureSize_{1, 1};
     Clock::time_point lastMove_{}, lastLook_{};
     Latencies::Kind kind_ = Latencies::Kind::kRefine;
-    int changes_ = 0;
+    int changes_ = 0, moments_ = 0;
 };
 
 }  // namespace vitrine

@@ -99,4 +99,9 @@ glm::uvec4 Stage::pick(glm::ivec2 pixel) {
     return frame_->frame().pick({share.x, 1 - share.y});
 }
 
+std::vector<glm::uvec4> Stage::closest(std::span<const QueryRay> rays) {
+    const ContextUse use(frame_->context());
+    return frame_->frame().closest(rays);
+}
+
 }  // namespace vitrine

@@ -26,6 +26,8 @@ class Stage {
     void update(const PackedMoment& moment);
     /// The record under a pixel of the window's picture, from the upper left.
     [[nodiscard]] glm::uvec4 pick(glm::ivec2 pixel);
+    /// What these rays meet in the scene.
+    [[nodiscard]] std::vector<glm::uvec4> closest(std::span<const QueryRay> rays);
     [[nodiscard]] bool empty() const { return frame_ == nullptr; }
 
     using Wish = vitrine::Wish;

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/viewer/handles.hpp"
 #include "app/viewer/inspector.hpp"
 #include "app/viewer/leaving.hpp"
 #include "app/viewer/overlay.hpp"
@@ -25,6 +26,7 @@
 #include "app/viewer/start_page.hpp"
 #include "app/viewer/user_folders.hpp"
 #include "app/viewer/view_menu.hpp"
+#include "app/viewer/walking.hpp"
 #include "base/file.hpp"
 
 namespace vitrine {
@@ -97,7 +99,9 @@ class Viewer {
         tools_.push_back(std::make_unique<ProgressNote>(*window_, view_));
         tools_.push_back(std::make_unique<Inspector>(*window_, view_));
         tools_.push_back(std::make_unique<PassTimes>(*window_, view_));
-        tools_.push_back(std::make_unique<Pointer>(view_));
+        tools_.push_back(std::make_unique<Handles>(*window_, view_));
+        tools_.push_back(std::make_unique<Pointer>(view_, surroundings_));
+        tools_.push_back(std::make_unique<Walking>(view_, surroundings_));
         tools_.push_back(std::move(playback));
         tools_.push_back(std::make_unique<ViewMenu>(view_));
         tools_.push_back(std::move(start));
@@ -229,6 +233,7 @@ class Viewer {
     SceneView view_;
     Notices notices_;
     RecentFiles recent_;
+    Surroundings surroundings_{view_};
     std::vector<std::unique_ptr<Tool>> tools_;
     Leaving* leaving_ = nullptr;
     bool closed_ = false;
