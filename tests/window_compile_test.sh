@@ -43,6 +43,8 @@ soon 10 copied
 command=$(grep '^vitrine render' window.log | sed "s|^vitrine|'$program'|; s|picture.png|copied.png|")
 eval "$command" || fail "the copied command fails: $command"
 same copied.png "$changed" || fail "glass is drawn in another way than by: $command"
+xdotool key ctrl+z  # or the window asks what is to become of the change
+soon 60 shows "$first"
 close_window
 check_times 2
 
