@@ -184,9 +184,10 @@ void Handles::hover(const HandleView& handles, const Projection& projection, siz
     const auto handle = handles.at(mouse);
     const bool slipped =
         clicked && hover_ && glm::distance(mouse, hover_->mouse) < kHandSlip * unitOf();
-    if (handle)
+    // Where it was seen last is where it was grabbed, if the mouse has gone on since.
+    if (handle && !(slipped && *handle == hover_->handle))
         hover_ = Hover{*handle, projection.through(mouse), mouse};
-    else if (!slipped)
+    else if (!handle && !slipped)
         hover_.reset();
     if (!clicked || !hover_) return;
     const Node& grabbed = view_.scene.loaded().scene.nodes[node];
