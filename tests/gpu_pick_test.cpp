@@ -69,6 +69,7 @@ TEST_F(PickTest, CountsOfPixelsAreTheCountsOfThePicture) {
         frame.begin(request());
         frame.drawSample();
         const FrameStatistics all = frame.statistics();
+        (void)frame.pick({0.5f, 0.5f});
         FrameStatistics sum;
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {

@@ -31,6 +31,8 @@ xdotool key i
 soon 40 becomes 0 250 empty.png
 
 # ---- milliseconds by pass ----
+shoot # the frame that counts has gone, too
+sleep 0.5
 part 0 40 empty.png
 xdotool key g
 soon 60 becomes_other 0 40 empty.png

@@ -116,6 +116,7 @@ void Frame::allocate() {
     for (Texture& t : radiance_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : mean_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : context_.counters) t = image(TexelFormat::kRgba32ui);
+    if (context_.counting) counted_ = image(TexelFormat::kRgba32ui);
     depth_ = DepthImage(width, height);
     black_ = image(TexelFormat::kRgba32f);
     black_.clear();
@@ -216,7 +217,10 @@ void Frame::drawRows(PixelRows rows) {
 void Frame::finishSample() {
     if (countersTurned_) std::swap(context_.counters[0], context_.counters[1]);
     std::swap(mean_[0], mean_[1]);
-    if (context_.counting) addCounts();
+    if (context_.counting) {
+        addCounts();
+        std::swap(context_.counters[0], counted_);  // picking counts, too
+    }
     ++sample_;
 }
 
@@ -317,9 +321,8 @@ glm::uvec4 Frame::pick(glm::vec2 place) {
 }
 
 PixelCounts Frame::countsAt(glm::vec2 place) const {
-    const Texture& counters = context_.counters[0];
-    const glm::ivec2 texel = texelAt(counters, place);
-    const glm::uvec4 counts = counters.readUintsAt(texel.x, texel.y);
+    const glm::ivec2 texel = texelAt(counted_, place);
+    const glm::uvec4 counts = counted_.readUintsAt(texel.x, texel.y);
     return {counts.x, counts.y, counts.z, counts.w & 0xffffu, counts.w >> 16};
 }
 

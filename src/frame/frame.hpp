@@ -128,6 +128,7 @@ class Frame {
     std::array<PathImages, 3> paths_;
     std::array<Texture, 2> radiance_, mean_;
     Texture black_, picture_;
+    Texture counted_;  ///< the counts of the last sample
     bool allocated_ = false;
     LayerTextures layers_;
     DepthImage depth_;

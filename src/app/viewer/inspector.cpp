@@ -13,6 +13,7 @@ void Inspector::addCommands(std::vector<Command>& list) {
                     [this] {
                         shown_ = !shown_;
                         pixel_.reset();
+                        view_.countRays(shown_);
                     },
                     shown_});
 }
@@ -26,12 +27,20 @@ void Inspector::update() {
     if (ImGui::GetIO().WantCaptureMouse || !ImGui::IsMousePosValid()) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const glm::ivec2 pixel(mouse.x, mouse.y);
-    if (pixel_ == pixel && changes_ == view_.changes()) return;
+    const std::optional<PixelCounts> counts = view_.countsUnderMouse();
+    if (pixel_ == pixel && changes_ == view_.changes() && counted_ == counts.has_value()) return;
     pixel_ = pixel;
+    counted_ = counts.has_value();
     changes_ = view_.changes();
     facts_ = inspect(view_.scene.loaded().packed, view_.moment(), view_.pick(),
                      view_.pilot.camera.eye, view_.cursorDirection());
     facts_.emplace(facts_.begin(), "pixel", fmt::format("{}  {}", pixel.x, pixel.y));
+    if (counts) {
+        facts_.emplace_back("rays", fmt::format("1 of the camera, {} bounced, {} to lights",
+                                                counts->bounceRays, counts->shadowRays));
+        facts_.emplace_back("work", fmt::format("{} nodes and triangles, {} steps in fields",
+                                                counts->nodes, counts->steps));
+    }
     window_.wake();
 }
 

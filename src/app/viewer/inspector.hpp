@@ -24,7 +24,7 @@ class Inspector : public Tool {
     std::optional<glm::ivec2> pixel_;  ///< that the facts are of
     int changes_ = 0;                  ///< of the scene view, when they were found
     Facts facts_;
-    bool shown_ = false;
+    bool shown_ = false, counted_ = false;
 };
 
 }  // namespace vitrine

@@ -31,10 +31,9 @@ void SceneFrame::prepare(const LoadedScene& scene, const PackedMoment& moment, c
                          const Checkpoint& checkpoint) {
     const ContextUse use(*context_);
     try {
-        counters_ = showsCounters(wish.view);
-        records_ = showsRecords(wish.view);
-        lit_ = !counters_ && !records_;
-        frame_ = std::make_unique<Frame>(*context_, scene.packed, Backend::kAuto, counters_);
+        kind_ = kindOf(wish.view);
+        counts_ = wish.counting || kind_ == Kind::kCounters;
+        frame_ = std::make_unique<Frame>(*context_, scene.packed, Backend::kAuto, counts_);
         frame_->update(moment);
         frame_->callBeforeCompiling(checkpoint);
         compile(wish, moment);

@@ -25,10 +25,12 @@ class SceneFrame {
     void prepare(const LoadedScene& scene, const PackedMoment& moment, const Wish& wish,
                  const Checkpoint& checkpoint);
     /// Whether all is there for this view: it is for those that show the same kind of thing as the
-    /// wish. Light takes other programs than records do, and counters cost time.
-    [[nodiscard]] bool canShow(View view) const {
-        return showsCounters(view) ? counters_ : showsRecords(view) ? records_ : lit_;
+    /// wish. Light takes other programs than records do, and counting costs time.
+    [[nodiscard]] bool canShow(View view, bool counting) const {
+        return kindOf(view) == kind_ && (counting || showsCounters(view)) == counts_;
     }
+    /// Whether each sample leaves counts of every pixel.
+    [[nodiscard]] bool counts() const { return counts_; }
 
     [[nodiscard]] const SharedContext& context() const { return *context_; }
     /// Only after prepare(), and while the context is in use.
@@ -36,10 +38,17 @@ class SceneFrame {
     [[nodiscard]] const Frame& frame() const { return *frame_; }
 
   private:
+    enum class Kind { kLight, kRecords, kCounters };
+    static Kind kindOf(View view) {
+        return showsCounters(view)  ? Kind::kCounters
+               : showsRecords(view) ? Kind::kRecords
+                                    : Kind::kLight;
+    }
     void compile(const Wish& wish, const PackedMoment& moment);
     std::shared_ptr<const SharedContext> context_;
     std::unique_ptr<Frame> frame_;
-    bool counters_ = false, records_ = false, lit_ = false;
+    Kind kind_ = Kind::kLight;
+    bool counts_ = false;
 };
 
 }  // namespace vitrine

@@ -59,7 +59,7 @@ void SceneView::draw(int width, int height) {
     wish_.height = std::max(1, height);
     wish_.camera = pilot.camera;
     wish_.time = timeline.time;
-    if (stage.canShow(view_)) shown_ = view_;
+    if (stage.canShow(view_, counting_)) shown_ = view_;
     wish_.view = shown_;
     wish_.moving = moving();
     const double budget = settings.budgetMilliseconds / 1000 / (split.isOpen() ? 2 : 1);
@@ -107,6 +107,16 @@ void SceneView::showView(View view) {
     orderMissingFrames();
 }
 
+void SceneView::countRays(bool wanted) {
+    counting_ = wanted;
+    orderMissingFrames();
+}
+
+std::optional<PixelCounts> SceneView::countsUnderMouse() {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    return stage.counts(glm::ivec2(mouse.x, mouse.y));
+}
+
 void SceneView::openSplit(View view) {
     split.open(view);
     orderMissingFrames();
@@ -152,13 +162,14 @@ void SceneView::order(std::optional<LoadRequest> load, std::optional<std::string
     order.load = reading_;
     order.camera = readingCamera_;
     order.wish = wish_;
+    order.wish.counting = counting_;
     order.wish.camera = pilot.camera;
     order.wish.time = reading_ && reading_->otherFile ? 0 : timeline.time;
     if (!reading_) {
         order.scene = scene.shared();
         order.moment = moment_;
     }
-    if (reading_ || !stage.canShow(view_) || !stage.covers(moment_)) order.view = view_;
+    if (reading_ || !stage.canShow(view_, counting_) || !stage.covers(moment_)) order.view = view_;
     if (split.isOpen() && (reading_ || split.needsFrame() || !split.covers(moment_)))
         order.splitView = split.view();
     workshop_.order(std::move(order));
@@ -166,7 +177,7 @@ void SceneView::order(std::optional<LoadRequest> load, std::optional<std::string
 
 void SceneView::orderMissingFrames() {
     // Those of a scene that is being read come with it.
-    if (!stage.canShow(view_) || !stage.covers(moment_) || split.needsFrame() ||
+    if (!stage.canShow(view_, counting_) || !stage.covers(moment_) || split.needsFrame() ||
         !split.covers(moment_))
         order({});
 }

@@ -69,6 +69,10 @@ class SceneView {
 
     /// The hit record under the mouse, in the picture.
     [[nodiscard]] glm::uvec4 pick();
+    /// What that pixel has cost; nothing while nobody counts or it is being drawn.
+    [[nodiscard]] std::optional<PixelCounts> countsUnderMouse();
+    /// Whether to count, which costs time. The frame that does is made in the background.
+    void countRays(bool wanted);
     /// The ray through the mouse: its unit direction.
     [[nodiscard]] glm::vec3 cursorDirection() const;
 
@@ -116,11 +120,12 @@ class SceneView {
 
     using Clock = std::chrono::steady_clock;
     Window& window_;
-    size_t camera_ = 0;                   ///< in Scene::cameras: the one that the pilot has taken
-    PackedMoment moment_;                 ///< what the stage shows, or will
-    View view_ = View::kColor;            ///< that is asked for
-    View shown_ = View::kColor;           ///< the last one for which the stage had a frame
-    std::optional<LoadRequest> reading_;  ///< what was ordered and is not there
+    size_t camera_ = 0;         ///< in Scene::cameras: the one that the pilot has taken
+    PackedMoment moment_;       ///< what the stage shows, or will
+    View view_ = View::kColor;  ///< that is asked for
+    bool counting_ = false;
+    View shown_ = View::kColor;                 ///< the last one for which the stage had a frame
+    std::optional<LoadRequest> reading_;        ///< what was ordered and is not there
     std::optional<std::string> readingCamera_;  ///< to be shown then
     std::optional<Opened> opened_;
     std::optional<double> secondsBehind_;

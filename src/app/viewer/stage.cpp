@@ -93,10 +93,20 @@ ImageRgba8 Stage::image() {
     return frame_->frame().picture();
 }
 
-glm::uvec4 Stage::pick(glm::ivec2 pixel) {
+glm::vec2 Stage::placeOf(glm::ivec2 pixel) const {
     const glm::vec2 share = (glm::vec2(pixel) + 0.5f) / glm::vec2(wish_.width, wish_.height);
+    return {share.x, 1 - share.y};
+}
+
+glm::uvec4 Stage::pick(glm::ivec2 pixel) {
     const ContextUse use(frame_->context());
-    return frame_->frame().pick({share.x, 1 - share.y});
+    return frame_->frame().pick(placeOf(pixel));
+}
+
+std::optional<PixelCounts> Stage::counts(glm::ivec2 pixel) {
+    if (frame_ == nullptr || !frame_->counts() || !finished_ || wish_.moving) return {};
+    const ContextUse use(frame_->context());
+    return frame_->frame().countsAt(placeOf(pixel));
 }
 
 std::vector<glm::uvec4> Stage::closest(std::span<const QueryRay> rays) {

@@ -17,8 +17,8 @@ class Stage {
     /// Shows another scene, or the same with other programs, which are ready.
     void setFrame(std::shared_ptr<SceneFrame> frame);
     /// Whether this view can be shown without another frame.
-    [[nodiscard]] bool canShow(View view) const {
-        return frame_ != nullptr && frame_->canShow(view);
+    [[nodiscard]] bool canShow(View view, bool counting = false) const {
+        return frame_ != nullptr && frame_->canShow(view, counting);
     }
     /// Whether these numbers can be shown without another frame.
     [[nodiscard]] bool covers(const PackedMoment& moment) const;
@@ -28,6 +28,9 @@ class Stage {
     [[nodiscard]] glm::uvec4 pick(glm::ivec2 pixel);
     /// What these rays meet in the scene.
     [[nodiscard]] std::vector<glm::uvec4> closest(std::span<const QueryRay> rays);
+    /// What such a pixel has cost in the last sample; nothing while it is drawn, or if the frame
+    /// does not count.
+    [[nodiscard]] std::optional<PixelCounts> counts(glm::ivec2 pixel);
     [[nodiscard]] bool empty() const { return frame_ == nullptr; }
 
     using Wish = vitrine::Wish;
@@ -48,6 +51,8 @@ class Stage {
 
   private:
     void begin(const Wish& wish);
+    /// Shares of the picture from the lower left.
+    [[nodiscard]] glm::vec2 placeOf(glm::ivec2 pixel) const;
     std::shared_ptr<SceneFrame> frame_;
     Pace pace_;
     Wish wish_;

@@ -13,6 +13,7 @@ struct Wish {
     float time = 0;
     View view = View::kColor;
     int samples = 1, bounces = 2, ssaa = 1, seed = 0;
+    bool counting = false;  ///< count rays as well
     bool moving = false;  ///< more changes are coming: stay within the budget
 };
 

@@ -69,13 +69,16 @@ Workshop::Delivery Workshop::make(Order& order, Delivery delivery, const Checkpo
         if (scene != nullptr && order.load) takeSettings(scene->scene.render, order.wish);
         if (scene != nullptr && order.camera)
             order.wish.camera = findCamera(scene->scene, *order.camera);
-        const auto prepare = [&](std::shared_ptr<SceneFrame>& frame, std::optional<View> view) {
+        const bool counting = order.wish.counting;
+        const auto prepare = [&](std::shared_ptr<SceneFrame>& frame, std::optional<View> view,
+                                 bool counts) {
             if (scene == nullptr || !view) return frame.reset();
             order.wish.view = *view;
+            order.wish.counting = counts;
             frame->prepare(*scene, order.moment, order.wish, checkpoint);
         };
-        prepare(delivery.frame, order.view);
-        prepare(delivery.splitFrame, order.splitView);
+        prepare(delivery.frame, order.view, counting);
+        prepare(delivery.splitFrame, order.splitView, false);
     } catch (const InputError& error) {
         delivery.problems.append(error.diagnostics());
         delivery.frame.reset();
