@@ -25,6 +25,15 @@ slider_y=101
 drag 1 620 $slider_y 1 0
 shows_other "$first" || fail "the slider changes nothing"
 changed=$shot
+# Beside it, as it was.
+convert "$changed" -crop 160x360+10+40 +repage left.png
+convert "$first" -crop 160x360+210+40 +repage right.png
+xdotool mousemove 190 440 key shift+v
+soon 20 side right.png 210
+soon 20 side left.png 10
+screen before
+xdotool key shift+v
+shows "$changed" || fail "the comparison does not go"
 xdotool key ctrl+z
 shows "$first" || fail "undo does not bring the picture back"
 xdotool key ctrl+y

@@ -72,9 +72,6 @@ shows "$first" || fail "Tab does not bring the panel back"
 "$program" render scene.toml -o normal.png --resolution "$size" --view normal || fail "render"
 convert normal.png -crop 160x360+210+40 +repage right.png
 convert first.png -crop 160x360+10+40 +repage left.png
-side() { # of the screen, as in the picture $1 at x $2
-    import -window root -crop "160x360+$2+40" +repage -depth 8 screen.png && same "$1" screen.png
-}
 xdotool mousemove 190 225 key v
 soon 20 side right.png 210
 soon 20 side left.png 10

@@ -129,6 +129,10 @@ shoot() {
 same() { "$program" compare "$1" "$2" --tolerance 2 --fraction 0.001 >/dev/null; }
 shows() { shoot && same "$1" "$shot"; }
 shows_other() { shoot && ! same "$1" "$shot"; }
+# Whether a part of the screen at x $2, 160x360 pixels, is the picture $1.
+side() {
+    import -window root -crop "160x360+$2+40" +repage -depth 8 screen.png && same "$1" screen.png
+}
 # The colour of a pixel of the screen as "R G B".
 pixel() {
     import -window root -crop "1x1+$1+$2" -depth 8 txt:- |

@@ -98,6 +98,7 @@ bool OpenScene::take(LoadResult result, const Diagnostics& problems) {
     if (!good) return false;
     loaded_ = std::move(result.scene);
     models_ = std::move(result.models);
+    plain_.reset();
     taken_ = request.overrides;
     return true;
 }
@@ -145,12 +146,30 @@ OpenScene::Change OpenScene::follow(bool files) {
     return takeNumbers() ? Change::kNumbers : Change::kNone;
 }
 
-PackedMoment OpenScene::moment(float time) {
-    posed_ = loaded_->scene.animations.empty() ? loaded_->scene : poseScene(loaded_->scene, time);
+PackedMoment OpenScene::pack(const Scene& posed) const {
     Diagnostics diagnostics;
-    PackedMoment moment = packMoment(posed_, loaded_->assets, loaded_->packed, diagnostics);
+    PackedMoment moment = packMoment(posed, loaded_->assets, loaded_->packed, diagnostics);
     diagnostics.throwIfErrors();
     return moment;
+}
+
+PackedMoment OpenScene::moment(float time) {
+    posed_ = loaded_->scene.animations.empty() ? loaded_->scene : poseScene(loaded_->scene, time);
+    return pack(posed_);
+}
+
+PackedMoment OpenScene::momentWithoutEdits(float time) {
+    if (!plain_ && isScene(file_)) {
+        Diagnostics diagnostics;
+        Scene scene = loadScene(file_, given_, diagnostics);
+        importModels(scene, models_, diagnostics);
+        diagnostics.throwIfErrors();
+        // Changed on the disk a moment ago, and soon read anew: then the old one will do.
+        if (fits(scene, loaded_->scene)) plain_ = std::move(scene);
+    }
+    if (!plain_) return moment(time);
+    plainPosed_ = plain_->animations.empty() ? *plain_ : poseScene(*plain_, time);
+    return pack(plainPosed_);
 }
 
 float OpenScene::duration() const {

@@ -48,6 +48,11 @@ class OpenScene {
     [[nodiscard]] const std::string& file() const { return file_; }
     /// The scene at a time, packed for Frame::update(). Throws InputError.
     [[nodiscard]] PackedMoment moment(float time);
+    /// The same as the file and the command line say, without the edits; but for pictures of the
+    /// surroundings, which are those of loaded(). Of a model or a field that is moment().
+    [[nodiscard]] PackedMoment momentWithoutEdits(float time);
+    /// The scene of the last momentWithoutEdits().
+    [[nodiscard]] const Scene& posedWithoutEdits() const { return plain_ ? plainPosed_ : posed_; }
     /// The scene of the last moment().
     [[nodiscard]] const Scene& posed() const { return posed_; }
     /// Where the last key of the animations is, s; 0: nothing moves by itself.
@@ -72,6 +77,7 @@ class OpenScene {
 
   private:
     bool takeNumbers();
+    [[nodiscard]] PackedMoment pack(const Scene& posed) const;
     [[nodiscard]] std::string editedText(Diagnostics& diagnostics) const;
 
     std::string file_;
@@ -80,6 +86,8 @@ class OpenScene {
     std::shared_ptr<LoadedScene> loaded_;
     ModelLibrary models_;
     Scene posed_;
+    std::optional<Scene> plain_;  ///< without edits; read when it is asked for
+    Scene plainPosed_;
     Diagnostics problems_;
     int editsSeen_ = 0;                   ///< the version that is shown or asked for
     std::vector<std::string> taken_;      ///< assignments in `loaded_`

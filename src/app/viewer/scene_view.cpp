@@ -64,7 +64,19 @@ void SceneView::draw(int width, int height) {
     wish_.moving = moving();
     const double budget = settings.budgetMilliseconds / 1000 / (split.isOpen() ? 2 : 1);
     stage.draw(wish_, budget);
-    split.draw(wish_, budget);
+    split.draw(split.isPlain() ? plainWish() : wish_, budget);
+}
+
+/// From the same place, with the lens and the settings that the file says.
+Stage::Wish SceneView::plainWish() const {
+    const Scene& plain = scene.posedWithoutEdits();
+    Stage::Wish wish = wish_;
+    takeSettings(plain.render, wish);
+    wish.camera = plain.cameras[std::min(camera_, plain.cameras.size() - 1)];
+    wish.camera.eye = pilot.camera.eye;
+    wish.camera.target = pilot.camera.target;
+    wish.camera.up = pilot.camera.up;
+    return wish;
 }
 
 void SceneView::show() {
@@ -104,6 +116,7 @@ glm::vec3 SceneView::cursorDirection() const {
 
 void SceneView::showView(View view) {
     view_ = view;
+    if (split.isPlain()) split.open(view, true);
     orderMissingFrames();
 }
 
@@ -117,9 +130,9 @@ std::optional<PixelCounts> SceneView::countsUnderMouse() {
     return stage.counts(glm::ivec2(mouse.x, mouse.y));
 }
 
-void SceneView::openSplit(View view) {
-    split.open(view);
-    orderMissingFrames();
+void SceneView::openSplit(View view, bool plain) {
+    split.open(view, plain);
+    showMoment(Latencies::Kind::kEdit);
 }
 
 void SceneView::takeCamera(size_t camera) {
@@ -168,9 +181,10 @@ void SceneView::order(std::optional<LoadRequest> load, std::optional<std::string
     if (!reading_) {
         order.scene = scene.shared();
         order.moment = moment_;
+        order.splitMoment = plainMoment_;
     }
     if (reading_ || !stage.canShow(view_, counting_) || !stage.covers(moment_)) order.view = view_;
-    if (split.isOpen() && (reading_ || split.needsFrame() || !split.covers(moment_)))
+    if (split.isOpen() && (reading_ || split.needsFrame() || !split.covers(splitMoment())))
         order.splitView = split.view();
     workshop_.order(std::move(order));
 }
@@ -178,7 +192,7 @@ void SceneView::order(std::optional<LoadRequest> load, std::optional<std::string
 void SceneView::orderMissingFrames() {
     // Those of a scene that is being read come with it.
     if (!stage.canShow(view_, counting_) || !stage.covers(moment_) || split.needsFrame() ||
-        !split.covers(moment_))
+        !split.covers(splitMoment()))
         order({});
 }
 
@@ -221,9 +235,11 @@ void SceneView::showDelivered(Workshop::Delivery& delivery) {
 void SceneView::showMoment(Latencies::Kind why) {
     try {
         moment_ = scene.moment(timeline.time);
+        plainMoment_.reset();
+        if (split.isPlain()) plainMoment_ = scene.momentWithoutEdits(timeline.time);
         ++moments_;
         if (stage.covers(moment_)) stage.update(moment_);
-        if (split.covers(moment_)) split.update(moment_);
+        if (split.covers(splitMoment())) split.update(splitMoment());
         if (!workshop_.busy()) orderMissingFrames();
         pilot.follow(sceneCamera(), why != Latencies::Kind::kPlay);
     } catch (const InputError& error) {

@@ -77,7 +77,8 @@ class SceneView {
     [[nodiscard]] glm::vec3 cursorDirection() const;
 
     void showView(View view);
-    void openSplit(View view);
+    /// `plain`: without the edits.
+    void openSplit(View view, bool plain = false);
     /// Flies to a camera of the scene.
     void takeCamera(size_t camera);
     /// The timeline has been moved by hand.
@@ -115,14 +116,19 @@ class SceneView {
     void showDelivered(Workshop::Delivery& delivery);
     void orderMissingFrames();
     void showMoment(Latencies::Kind why);
+    [[nodiscard]] Stage::Wish plainWish() const;
+    [[nodiscard]] const PackedMoment& splitMoment() const {
+        return plainMoment_ ? *plainMoment_ : moment_;
+    }
     void touch(Latencies::Kind why);
     void note(Latencies::Kind why) { kind_ = std::max(kind_, why); }
 
     using Clock = std::chrono::steady_clock;
     Window& window_;
-    size_t camera_ = 0;         ///< in Scene::cameras: the one that the pilot has taken
-    PackedMoment moment_;       ///< what the stage shows, or will
-    View view_ = View::kColor;  ///< that is asked for
+    size_t camera_ = 0;  ///< in Scene::cameras: the one that the pilot has taken
+    std::optional<PackedMoment> plainMoment_;  ///< what the split shows, if it is another one
+    PackedMoment moment_;                      ///< what the stage shows, or will
+    View view_ = View::kColor;                 ///< that is asked for
     bool counting_ = false;
     View shown_ = View::kColor;                 ///< the last one for which the stage had a frame
     std::optional<LoadRequest> reading_;        ///< what was ordered and is not there

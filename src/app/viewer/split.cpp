@@ -14,8 +14,9 @@ constexpr float kEdge = 0.02f;  // the line stays this share of the width inside
 
 }  // namespace
 
-void Split::open(View view) {
+void Split::open(View view, bool plain) {
     open_ = true;
+    plain_ = plain;
     view_ = view;
     if (stage_ != nullptr && stage_->canShow(view)) shown_ = view;
 }

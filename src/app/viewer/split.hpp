@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A second picture of the same scene, in another view, right of a line that can be dragged.
+// A second picture of the same scene, in another view or without the changes made by hand, right of a
+// line that can be dragged.
 #pragma once
 
 #include <optional>
@@ -13,10 +14,12 @@ class Split {
   public:
     /// Shows `view` right of the line as soon as there is a frame for it: at once if the one there
     /// is will do, else with the next setFrame().
-    void open(View view);
+    /// `plain`: the scene without the edits.
+    void open(View view, bool plain = false);
     void close();
     [[nodiscard]] bool isOpen() const { return open_; }
     [[nodiscard]] View view() const { return view_; }
+    [[nodiscard]] bool isPlain() const { return open_ && plain_; }
     /// Whether it is open and waits for a frame.
     [[nodiscard]] bool needsFrame() const { return open_ && shown_ != view_; }
     /// A frame of the scene of the window's own stage. Nothing if closed meanwhile.
@@ -40,7 +43,7 @@ class Split {
     /// The first column right of the line.
     [[nodiscard]] int leftOf(int width) const;
     std::unique_ptr<Stage> stage_;
-    bool open_ = false;
+    bool open_ = false, plain_ = false;
     View view_ = View::kNormal;  ///< that is asked for
     std::optional<View> shown_;  ///< of the stage
     float line_ = 0.5f;          ///< share of the picture's width

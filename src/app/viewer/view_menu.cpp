@@ -21,16 +21,24 @@ void ViewMenu::addCommands(std::vector<Command>& list) {
         {"Split", "Split the picture", "V", 'V', false, false,
          [this, &split] { split.isOpen() ? split.close() : view_.openSplit(split.view()); },
          split.isOpen()});
+    list.push_back({"Split", "Before the changes", "Shift+V", 'V', false, true,
+                    [this, &split] {
+                        split.isPlain() ? split.close() : view_.openSplit(view_.view(), true);
+                    },
+                    split.isPlain()});
     for (size_t i = 0; i < viewNames().size(); ++i) {
         const auto view = static_cast<View>(i);
         list.push_back({"Split", "right: " + viewNames()[i], "", 0, false, false,
                         [this, view] { view_.openSplit(view); },
-                        split.isOpen() && split.view() == view});
+                        split.isOpen() && !split.isPlain() && split.view() == view});
     }
 }
 
 void ViewMenu::draw(glm::vec2 pictureSize) {
-    view_.split.drawLine(pictureSize, nameOf(view_.view()), nameOf(view_.split.view()));
+    if (view_.split.isPlain())
+        view_.split.drawLine(pictureSize, "changed", "before");
+    else
+        view_.split.drawLine(pictureSize, nameOf(view_.view()), nameOf(view_.split.view()));
 }
 
 }  // namespace vitrine

@@ -71,14 +71,15 @@ Workshop::Delivery Workshop::make(Order& order, Delivery delivery, const Checkpo
             order.wish.camera = findCamera(scene->scene, *order.camera);
         const bool counting = order.wish.counting;
         const auto prepare = [&](std::shared_ptr<SceneFrame>& frame, std::optional<View> view,
-                                 bool counts) {
+                                 const PackedMoment& moment, bool counts) {
             if (scene == nullptr || !view) return frame.reset();
             order.wish.view = *view;
             order.wish.counting = counts;
-            frame->prepare(*scene, order.moment, order.wish, checkpoint);
+            frame->prepare(*scene, moment, order.wish, checkpoint);
         };
-        prepare(delivery.frame, order.view, counting);
-        prepare(delivery.splitFrame, order.splitView, false);
+        prepare(delivery.frame, order.view, order.moment, counting);
+        prepare(delivery.splitFrame, order.splitView,
+                order.load || !order.splitMoment ? order.moment : *order.splitMoment, false);
     } catch (const InputError& error) {
         delivery.problems.append(error.diagnostics());
         delivery.frame.reset();

@@ -38,6 +38,7 @@ class Workshop {
         /// LoadedScene::scene, is left to the window's thread.
         std::shared_ptr<const LoadedScene> scene;
         PackedMoment moment;
+        std::optional<PackedMoment> splitMoment;  ///< if it is another one
         Wish wish;
         /// The wish is for the camera of this name of the scene that is loaded ("": the first).
         std::optional<std::string> camera;
