@@ -175,6 +175,11 @@ class AnimationReader {
         }
     }
 
+    void take(AnimationTrack track) {
+        const SourceLocation where = track.where;
+        add(std::move(track), where);
+    }
+
     void read(const toml::table& table) {
         AnimationEntry entry;
         readTable(table, "[[animation]]", animationOptions(), {"keys"}, entry, diagnostics_);
@@ -313,10 +318,14 @@ class AnimationReader {
 
 }  // namespace
 
-void readAnimations(const toml::array& tables, const std::vector<std::string>& overrides,
-                    Scene& scene, Diagnostics& diagnostics) {
+void readAnimations(const toml::array* tables, std::vector<AnimationTrack> ways,
+                    const std::vector<std::string>& overrides, Scene& scene,
+                    Diagnostics& diagnostics) {
+    if (tables == nullptr && ways.empty()) return;
     AnimationReader reader(overrides, scene, diagnostics);
-    for (const toml::node& entry : tables)
+    for (AnimationTrack& way : ways) reader.take(std::move(way));
+    if (tables == nullptr) return;
+    for (const toml::node& entry : *tables)
         if (const toml::table* table = entry.as_table()) reader.read(*table);
 }
 

@@ -11,8 +11,10 @@
 
 namespace vitrine {
 
-/// The rest of `scene` has been read. What `overrides` (`--set` assignments) give is not animated.
-void readAnimations(const toml::array& tables, const std::vector<std::string>& overrides,
-                    Scene& scene, Diagnostics& diagnostics);
+/// The rest of `scene` has been read. `ways` are tracks that it has anyhow, `tables` may be
+/// nullptr. What `overrides` (`--set` assignments) give is not animated.
+void readAnimations(const toml::array* tables, std::vector<AnimationTrack> ways,
+                    const std::vector<std::string>& overrides, Scene& scene,
+                    Diagnostics& diagnostics);
 
 }  // namespace vitrine

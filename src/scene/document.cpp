@@ -36,23 +36,37 @@ std::string explainSyntax(std::string message, std::string_view text, toml::sour
     return message;
 }
 
+/// How many words of a key lead to its table: the section, and a name where there can be several
+/// and one is given. "camera.orbit.KEY" is of the first camera, unless one is called so.
+size_t countTableWords(const toml::table& document, const std::vector<std::string>& words) {
+    if (words.size() == 2 || (!isListSection(words[0]) && !isNamedSection(words[0]))) return 1;
+    if (words[0] != "camera" || words[1] != "orbit") return 2;
+    const toml::array* cameras = document["camera"].as_array();
+    const bool named = cameras != nullptr &&
+                       std::any_of(cameras->begin(), cameras->end(), [](const toml::node& camera) {
+                           return camera.is_table() && (*camera.as_table())["name"] == "orbit";
+                       });
+    return named ? 2 : 1;
+}
+
 /// The tables of a list section that a key means: those of the name in words[1], or all.
 std::vector<toml::table*> findInList(toml::array& list, const std::vector<std::string>& words,
-                                     std::vector<std::string>& names) {
+                                     size_t used, std::vector<std::string>& names) {
     std::vector<toml::table*> found;
     for (toml::node& entry : list) {
         toml::table* table = entry.as_table();
         if (table == nullptr) continue;
         names.push_back((*table)["name"].value_or(std::string()));
-        if (words.size() == 2 || names.back() == words[1]) found.push_back(table);
+        if (used == 1 || names.back() == words[1]) found.push_back(table);
     }
-    if (words[0] == "camera" && words.size() == 2 && found.size() > 1) found.resize(1);
+    if (words[0] == "camera" && used == 1 && found.size() > 1) found.resize(1);
     return found;
 }
 
 /// The tables that the first words of a key name, or none after a diagnostic.
 std::vector<toml::table*> findTargets(toml::table& document, const std::vector<std::string>& words,
-                                      const SourceLocation& where, Diagnostics& diagnostics) {
+                                      size_t used, const SourceLocation& where,
+                                      Diagnostics& diagnostics) {
     const std::string& section = words[0];
     if (std::find(sectionNames().begin(), sectionNames().end(), section) == sectionNames().end()) {
         diagnostics.error(where, fmt::format("unknown section '{}'{}", section,
@@ -64,22 +78,22 @@ std::vector<toml::table*> findTargets(toml::table& document, const std::vector<s
         toml::table* table = document[section].as_table();
         return table != nullptr ? std::vector<toml::table*>{table} : std::vector<toml::table*>{};
     }
-    if (words.size() == 2 && section != "camera" && section != "light") {
+    if (used == 1 && section != "camera" && section != "light") {
         diagnostics.error(where, fmt::format("say which {0}: {0}.NAME.{1}", section, words[1]));
         return {};
     }
     std::vector<std::string> names;
     std::vector<toml::table*> found;
-    if (toml::array* list = document[section].as_array()) found = findInList(*list, words, names);
+    if (toml::array* list = document[section].as_array())
+        found = findInList(*list, words, used, names);
     if (toml::table* group = document[section].as_table()) {
         for (const auto& [key, value] : *group) names.emplace_back(key.str());
         if (toml::table* table = (*group)[words[1]].as_table()) found.push_back(table);
     }
     if (found.empty())
-        diagnostics.error(where, words.size() == 2
-                                     ? fmt::format("the scene has no {}", section)
-                                     : fmt::format("the scene has no {} '{}'{}", section, words[1],
-                                                   didYouMean(words[1], names)));
+        diagnostics.error(where, used == 1 ? fmt::format("the scene has no {}", section)
+                                           : fmt::format("the scene has no {} '{}'{}", section,
+                                                         words[1], didYouMean(words[1], names)));
     return found;
 }
 
@@ -176,9 +190,9 @@ void applyOverride(toml::table& document, const std::string& assignment, Diagnos
         diagnostics.error(where, "the key needs a section, as in render.exposure");
         return;
     }
-    const std::vector<toml::table*> targets = findTargets(document, words, where, diagnostics);
-    const bool single = !isListSection(words[0]) && !isNamedSection(words[0]);
-    const size_t used = single || words.size() == 2 ? 1 : 2;
+    const size_t used = countTableWords(document, words);
+    const std::vector<toml::table*> targets =
+        findTargets(document, words, used, where, diagnostics);
     for (toml::table* target : targets) {
         std::optional<toml::table> value = parseValue(assignment.substr(equals + 1), where.file);
         if (!value) {
@@ -222,10 +236,11 @@ std::optional<Target> findTarget(toml::table& document, const std::string& assig
     const std::vector<std::string> words = overrideWords(assignment);
     const bool single = !isListSection(words[0]) && !isNamedSection(words[0]);
     if (single && !document.contains(words[0])) return {};
+    const size_t used = countTableWords(document, words);
     Diagnostics ignored;
-    const std::vector<toml::table*> tables = findTargets(document, words, {}, ignored);
+    const std::vector<toml::table*> tables = findTargets(document, words, used, {}, ignored);
     if (tables.empty()) return {};
-    return Target{tables[0], words, single || words.size() == 2 ? 1u : 2u};
+    return Target{tables[0], words, used};
 }
 
 }  // namespace vitrine

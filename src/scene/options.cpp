@@ -116,6 +116,23 @@ const OptionTable<Camera>& cameraOptions() {
         {"lens", choice<C>({"sampled", "filter"}, &C::lens), kNone,
          "who blurs with f_stop: sampled: rays through all of the lens, wants `--spp`; filter: one "
          "sharp sample, blurred by its depth"},
+        {"loop", choice<C>({"none", "repeat", "mirror"}, &C::loop), kNone,
+         "of path: after its last key stay, begin again, go back and forth"},
+    };
+    return table;
+}
+
+const OptionTable<CameraOrbit>& orbitOptions() {
+    using O = CameraOrbit;
+    static const OptionTable<O> table{
+        {"period",
+         &O::period,
+         {-1e6, 1e6},
+         "seconds a turn, counterclockwise seen from above; negative: clockwise"},
+        {"distance", &O::distance, kPositive, "from the target, m; not given: as far as eye"},
+        {"elevation", &O::elevation, {-89, 89}, "degrees above the target; not given: as eye is"},
+        {"azimuth", &O::azimuth, kAnyNumber,
+         "where it begins, degrees from +z towards +x; not given: as eye is"},
     };
     return table;
 }

@@ -71,6 +71,7 @@ struct AnimationEntry {
 const OptionTable<RenderSettings>& renderOptions();
 const OptionTable<TreeSettings>& bvhOptions();
 const OptionTable<Camera>& cameraOptions();
+const OptionTable<CameraOrbit>& orbitOptions();
 const OptionTable<Environment>& environmentOptions();
 const OptionTable<Light>& lightOptions();
 const OptionTable<Material>& materialOptions();

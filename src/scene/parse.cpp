@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "scene/animations.hpp"
+#include "scene/cameras.hpp"
 #include "scene/import_overrides.hpp"
 #include "scene/include.hpp"
 #include "scene/references.hpp"
@@ -38,7 +39,10 @@ class SceneParser {
             else if (section == "environment")
                 environment(node);
             else if (section == "camera")
-                list(node, section, [&](const toml::table& t) { camera(t); });
+                list(node, section, [&](const toml::table& t) {
+                    scene_.cameras.push_back(
+                        readCamera(t, scene_.cameras.size(), ways_, diagnostics_));
+                });
             else if (section == "light")
                 list(node, section, [&](const toml::table& t) { light(t); });
             else if (section == "node")
@@ -63,8 +67,8 @@ class SceneParser {
                                                didYouMean(section, sectionNames())));
         }
         checkReferences(scene_, diagnostics_);
-        if (const toml::array* animations = document["animation"].as_array())
-            readAnimations(*animations, overrides_, scene_, diagnostics_);
+        readAnimations(document["animation"].as_array(), std::move(ways_), overrides_, scene_,
+                       diagnostics_);
     }
 
   private:
@@ -167,21 +171,6 @@ class SceneParser {
         }
         environment.picture = {files_.fromSceneFolder(text->get(), placeOf(sky)), placeOf(sky)};
         return true;
-    }
-
-    void camera(const toml::table& table) {
-        Camera camera;
-        camera.where = placeOf(table);
-        readTable(table, "[[camera]]", cameraOptions(), {}, camera, diagnostics_);
-        if (camera.fov > 0 && camera.focalLength > 0)
-            diagnostics_.error(placeOf(*table.get("focal_length")),
-                               "give fov or focal_length, not both");
-        if (camera.fov == 0 && camera.focalLength == 0)
-            camera.focalLength = Camera::kDefaultFocalLength;
-        if (const std::string problem = problemOf(camera); !problem.empty())
-            diagnostics_.error(
-                glm::length(camera.up) < 1e-6f ? placeOf(*table.get("up")) : camera.where, problem);
-        scene_.cameras.push_back(camera);
     }
 
     void light(const toml::table& table) {
@@ -348,6 +337,7 @@ class SceneParser {
     const std::vector<std::string>& overrides_;
     const IncludedFiles& files_;
     Diagnostics& diagnostics_;
+    std::vector<AnimationTrack> ways_;  ///< of cameras
 };
 
 }  // namespace

@@ -145,6 +145,30 @@ can). A node whose scale comes to 0 is not there. `loop = "repeat"` takes the la
 one of the next round.
 )";
 
+constexpr const char* kWays = R"(
+A camera with an `orbit` goes round its `target`, for ever; it begins at `eye`, or where `orbit` says.
+`--set camera.orbit.period=8` makes a turntable of any camera. A camera with a `path` goes from key to
+key without a jolt, starts and ends at rest, and waits where two keys are the same:
+
+```toml
+[[camera]]
+name = "turntable"
+eye = [3, 2, 4]
+target = [0, 0.5, 0]
+orbit = { period = 12 }
+
+[[camera]]
+name = "ride"
+path = [[0, [6, 2, 6], [0, 1, 0]],    # [TIME, EYE, TARGET]
+        [3, [0, 1, 4], [0, 1, 0]],
+        [5, [-4, 2, 3], [0, 0.5, 0]]]
+loop = "mirror"
+```
+
+In a window a hand on the mouse takes it over, Home gives it back. What `--set` says of `eye` or
+`target` holds, and that part of the way is not gone.
+)";
+
 }  // namespace
 
 std::string sceneFormatReference() {
@@ -172,6 +196,8 @@ std::string sceneFormatReference() {
            "layers stay sharp. `lens = \"filter\"` blurs one sample as widely, in circles of up\n"
            "to 256 pixels: smooth at once and for motion, but mirror images are as sharp as their "
            "mirror, and\nwhat an object hides is guessed. With it `--spp` only smooths edges.\n";
+    builtIn(out, "orbit", orbitOptions());
+    out << kWays;
     section(out, "[environment]", environmentOptions());
     out << "\n`sky = COLOUR` is short for the same zenith, horizon and ground. `sky = "
            "\"FILE.hdr\"` or "

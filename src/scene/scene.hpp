@@ -82,6 +82,16 @@ struct TreeSettings {
 /// picture and its depth.
 enum class LensBlur { kSampled, kFilter };
 
+/// Round the camera's target on a level circle: a turntable, seen from beside it.
+struct CameraOrbit {
+    float period = 12;        ///< s a turn, counterclockwise seen from above; negative: clockwise
+    float distance = 0;       ///< from the target, m
+    float elevation = -kAny;  ///< degrees above the target
+    float azimuth = -kAny;    ///< at time 0, degrees from +z towards +x
+
+    static constexpr float kAny = 1e10f;  ///< not given
+};
+
 struct Camera {
     std::string name;
     glm::vec3 eye{3, 2, 4};
@@ -96,6 +106,9 @@ struct Camera {
     /// In Scene::nodes: it goes with this node and looks along its -z, and eye, target and up are
     /// where the node puts them at rest. Of a model.
     std::optional<size_t> node;
+    /// It goes by itself: this, or the path of its tracks in Scene::animations, is why.
+    std::optional<CameraOrbit> orbit;
+    LoopMode loop = LoopMode::kNone;  ///< of its path
     SourceLocation where;
 
     static constexpr float kDefaultFocalLength = 35;
