@@ -106,6 +106,65 @@ TEST_F(BandsTest, MakeTheSameViews) {
     }
 }
 
+/// Rows from the top that two pictures have in common.
+int sameRows(const ImageRgba8& a, const ImageRgba8& b) {
+    const size_t row = size_t{4} * kWidth;
+    for (int y = 0; y < kHeight; ++y)
+        if (!std::equal(a.pixels.begin() + y * row, a.pixels.begin() + (y + 1) * row,
+                        b.pixels.begin() + y * row))
+            return y;
+    return kHeight;
+}
+
+ImageRgba8 imageOf(const Texture& picture) {
+    const std::vector<uint8_t> bytes = picture.readBytes();
+    ImageRgba8 image(picture.width(), picture.height());
+    const size_t row = size_t{4} * static_cast<size_t>(picture.width());
+    for (int y = 0; y < picture.height(); ++y)
+        std::copy_n(bytes.begin() + (picture.height() - 1 - y) * row, row,
+                    image.pixels.begin() + y * row);
+    return image;
+}
+
+/// What is done of the first sample stands at the top; below, what was there before, stretched.
+TEST_F(BandsTest, AreSeenOneByOneOverTheLastPicture) {
+    const LoadedScene loaded = things(false);
+    for (const int ssaa : {1, 2}) {
+        SCOPED_TRACE(ssaa);
+        Frame frame(context(), loaded.packed, Backend::kFragment, false);
+        FrameRequest fine = request(View::kColor, 1, Primary::kRaster);
+        fine.samples = 1;
+        fine.ssaa = ssaa;
+        const ImageRgba8 wanted = atOnce(frame, fine).picture;
+        frame.begin(fine);
+        EXPECT_EQ(sameRows(imageOf(*frame.preview()), wanted), kHeight) << "nothing is lost";
+        FrameRequest coarse = fine;
+        coarse.width = kWidth / 4;
+        coarse.height = kHeight / 4;
+        coarse.view = View::kNormal;
+        frame.begin(coarse);
+        frame.drawSample();
+        (void)frame.display();
+        frame.begin(fine);
+        const ImageRgba8 before = imageOf(*frame.preview());
+        EXPECT_EQ(sameRows(before, wanted), 0);
+        int last = 0, grown = 0;
+        while (!frame.advance(0)) {
+            const ImageRgba8 now = imageOf(*frame.preview());
+            const int rows = sameRows(now, wanted);
+            EXPECT_GE(rows, last);
+            grown += rows > last;
+            last = rows;
+            EXPECT_TRUE(std::equal(now.pixels.begin() + size_t{4} * kWidth * (rows + 1),
+                                   now.pixels.end(),
+                                   before.pixels.begin() + size_t{4} * kWidth * (rows + 1)))
+                << "below row " << rows;
+        }
+        EXPECT_GT(grown, 4);
+        EXPECT_EQ(imageOf(frame.display()).pixels, wanted.pixels);
+    }
+}
+
 /// The window asks what a camera runs into while a sample is being worked on.
 TEST_F(BandsTest, RaysAskedInBetweenChangeNothing) {
     const LoadedScene loaded = things(false);

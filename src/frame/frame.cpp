@@ -28,6 +28,23 @@ class SharpLens {
     float radius_;
 };
 
+/// For as long as it lives passes draw what is shown, whatever the supersampling is.
+class OutputSize {
+  public:
+    OutputSize(FrameBlock& block, const FrameRequest& request)
+        : block_(block), drawn_(block.image) {
+        block.image.x = request.width;
+        block.image.y = request.height;
+    }
+    ~OutputSize() { block_.image = drawn_; }
+    OutputSize(const OutputSize&) = delete;
+    OutputSize& operator=(const OutputSize&) = delete;
+
+  private:
+    FrameBlock& block_;
+    glm::ivec4 drawn_;
+};
+
 /// The texel at a place of a picture, shares of its width and height.
 glm::ivec2 texelAt(const Texture& image, glm::vec2 place) {
     const glm::ivec2 size(image.width(), image.height());
@@ -73,7 +90,7 @@ void Frame::begin(const FrameRequest& request) {
                          !allocated_;
     request_ = request;
     sample_ = 0;
-    rowsDone_ = 0;
+    rowsDone_ = previewRows_ = 0;
     statistics_ = {};
     context_.timer().reset();
     context_.timing = context_.counting || request.timing;
@@ -168,7 +185,7 @@ bool Frame::advance(double seconds) {
     do {
         const auto bandStart = Clock::now();
         const int end = std::min(rowsDone_ + bandRows_, height);
-        drawRows({rowsDone_, end});
+        drawRows({height - end, height - rowsDone_});  // from the top, as people read
         finishGpu();
         rowsDone_ = end;
         // Rows differ in what they cost: a quarter of the time leaves room for dearer ones.
@@ -296,19 +313,40 @@ const Texture& Frame::display() {
         findFirstHits();
     }
     const Texture* light = &finished();
-    if (picture_.width() != request_.width || picture_.height() != request_.height)
-        picture_ = Texture(request_.width, request_.height, TexelFormat::kRgba8);
-    const glm::ivec4 drawn = context_.block.image;
-    context_.block.image.x = request_.width;
-    context_.block.image.y = request_.height;
+    if (!fits(picture_)) picture_ = Texture(request_.width, request_.height, TexelFormat::kRgba8);
+    const OutputSize size(context_.block, request_);
     displayPass(context_, *light, picture_);
     if (request_.view == View::kBvh) boxesPass(context_, treeBoxes_, paths_[0].records, picture_);
-    context_.block.image = drawn;
+    previewIsOld_ = true;
     return picture_;
 }
 
+bool Frame::fits(const Texture& picture) const {
+    return picture.width() == request_.width && picture.height() == request_.height;
+}
+
+const Texture* Frame::preview() {
+    // The lines of a tree need all of the picture. So does a lens that is a filter: until then all
+    // is sharp.
+    if (request_.view == View::kBvh || sample_ > 0 || !picture_.valid()) return nullptr;
+    if (previewIsOld_ || !fits(preview_)) {
+        preview_ = Texture(request_.width, request_.height, TexelFormat::kRgba8);
+        preview_.stretch(picture_);
+        previewIsOld_ = false;
+        previewRows_ = 0;
+    }
+    const int rows = rowsDone_ / request_.ssaa, height = request_.height;
+    const OutputSize size(context_.block, request_);
+    context_.rows = {height - rows, height - previewRows_};
+    if (rows > previewRows_) displayPass(context_, mean_[1], preview_);
+    context_.rows = {};
+    previewRows_ = rows;
+    return &preview_;
+}
+
 glm::uvec4 Frame::pick(glm::vec2 place) {
-    rowsDone_ = 0;  // the first hits of the sample that is being worked on are overwritten
+    rowsDone_ = previewRows_ =
+        0;  // the first hits of the sample that is being worked on are overwritten
     context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
     const SharpLens sharp(context_.block);
     const Texture& records = paths_[0].records;

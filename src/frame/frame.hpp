@@ -87,6 +87,9 @@ class Frame {
     /// The picture of the samples so far as a texture, which stays, through begin() as well, until
     /// the next call. Not while a sample is being worked on.
     const Texture& display();
+    /// The first sample as far as advance() has come, from the top, over the last display(), as a
+    /// texture like that one's. nullptr where there is nothing to show before the sample is whole.
+    const Texture* preview();
     /// The hit record at a place of the picture, shares of its width and height from the lower
     /// left. A sample that is being worked on begins anew.
     [[nodiscard]] glm::uvec4 pick(glm::vec2 place);
@@ -116,6 +119,7 @@ class Frame {
     void followPaths();
     void followBounces();
     const Texture& finished();
+    [[nodiscard]] bool fits(const Texture& picture) const;
     void addCounts();
 
     PassContext context_;
@@ -128,7 +132,10 @@ class Frame {
     std::array<PathImages, 3> paths_;
     std::array<Texture, 2> radiance_, mean_;
     Texture black_, picture_;
-    Texture counted_;  ///< the counts of the last sample
+    Texture preview_;
+    bool previewIsOld_ = true;  ///< display() has shown more since
+    int previewRows_ = 0;       ///< of preview_ that are of this sample, from the top
+    Texture counted_;           ///< the counts of the last sample
     bool allocated_ = false;
     LayerTextures layers_;
     DepthImage depth_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -120,6 +121,19 @@ void Texture::write(std::span<const std::byte> bytes) {
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, info.external, info.type,
                     bytes.data());
     checkGl("uploading an image");
+}
+
+void Texture::stretch(const Texture& from) {
+    std::array<GLuint, 2> framebuffers{};
+    glGenFramebuffers(2, framebuffers.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers[0]);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, from.id_, 0);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers[1]);
+    glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, id_, 0);
+    glBlitFramebuffer(0, 0, from.width_, from.height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
+                      GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(2, framebuffers.data());
 }
 
 void Texture::smooth() {

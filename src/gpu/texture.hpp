@@ -37,6 +37,8 @@ class Texture {
     /// Replaces all texels; `bytes` has the format's layout, bottom row first.
     void write(std::span<const std::byte> bytes);
     void clear();
+    /// Replaces all texels by `from`, stretched to this size and smooth. Both are colours.
+    void stretch(const Texture& from);
     /// From now on what lies between texels is mixed.
     void smooth();
 

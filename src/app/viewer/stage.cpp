@@ -74,6 +74,9 @@ void Stage::draw(const Wish& wish, double budgetSeconds) {
             passSeconds_ = difference(sums, passSums_);
             passSums_ = sums;
         }
+    } else if (const Texture* preview = frame.preview()) {
+        picture_ = preview;
+        finishGpu();
     }
     lastSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (wish.moving) pace_.took(lastSeconds_, budgetSeconds);
