@@ -11,7 +11,7 @@ first=$shot
 
 # ---- a value is dragged and undone; saved, it changes one line ----
 search() {
-    xdotool mousemove 540 54 click 1
+    xdotool mousemove 540 61 click 1
     sleep 0.3
     hold ctrl a
     xdotool type --delay 60 "$1"
@@ -21,7 +21,7 @@ search() {
 }
 search 'exposure'
 screen panel
-slider_y=101
+slider_y=113
 drag 1 620 $slider_y 1 0
 shows_other "$first" || fail "the slider changes nothing"
 changed=$shot

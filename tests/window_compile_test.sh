@@ -28,13 +28,13 @@ write_scene
 start_window scene.toml
 shoot
 first=$shot
-xdotool mousemove 540 54 click 1
+xdotool mousemove 540 61 click 1
 sleep 0.3
 xdotool type --delay 60 transmission
 sleep 0.5
 xdotool mousemove 190 440 click 1
 sleep 0.5
-drag 1 600 209 6 0  # the only slider left
+drag 1 600 237 6 0  # the only slider left
 soon 60 shows_other "$first"
 changed=$shot
 xdotool key ctrl+shift+c

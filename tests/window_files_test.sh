@@ -24,12 +24,12 @@ type_name() { # into the field that has the cursor, instead of what stands there
 }
 # A value that is changed by hand.
 change() {
-    xdotool mousemove 540 54 click 1
+    xdotool mousemove 540 61 click 1
     sleep 0.3
     hold ctrl a
     xdotool type --delay 60 exposure
     sleep 0.5
-    drag 1 620 101 1 0
+    drag 1 620 113 1 0
     sleep 0.5
     xdotool mousemove 190 440 click 1
     sleep 0.3
@@ -127,7 +127,7 @@ sleep 1
 screen start
 before=$(cat state/vitrine/recent)
 xdotool mousemove 400 200 click 1
-there() { [ "$(pixel 700 10)" = "36 36 36" ]; }
+there() { [ "$(pixel 700 10)" = "31 32 34" ]; }
 soon 60 there
 other() { [ "$(cat state/vitrine/recent)" != "$before" ]; }
 soon 60 other

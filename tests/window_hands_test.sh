@@ -88,15 +88,15 @@ shoot
 whole=$shot
 "$program" render scene.toml -o hidden.png --resolution $size --set node.ball.visible=false ||
     fail "render"
-xdotool mousemove 397 114 click 1
+xdotool mousemove 398 130 click 1
 soon 20 shows hidden.png # a click takes a frame longer than a key
 screen hidden
-xdotool mousemove 397 114 click 1
+xdotool mousemove 398 130 click 1
 soon 20 shows "$whole"
-xdotool mousemove 440 114 click 1
+xdotool mousemove 440 130 click 1
 sleep 0.3
 screen ball
-xdotool mousemove 440 97 click --repeat 2 --delay 80 1
+xdotool mousemove 440 110 click --repeat 2 --delay 80 1
 soon 20 shows_other "$whole"
 red() { set -- $(convert "$shot[1x1+190+225]" -depth 8 txt:- |
     sed -n 's/.*(\([0-9]*\),\([0-9]*\),\([0-9]*\).*/\1 \2 \3/p'); [ "$1" -gt $((2 * $2)) ]; }

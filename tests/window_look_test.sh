@@ -99,10 +99,10 @@ show() { # entry of the menu at y
     sleep 0.3
     xdotool mousemove 190 440
 }
-show 255
+show 298
 shows nodes.png || fail "the menu does not show the nodes"
 screen views
-show 34
+show 38
 shows "$first" || fail "the menu does not show the colours again"
 
 # ---- nothing moves, nothing is done ----

@@ -18,6 +18,7 @@ finish() {
     rm -rf "$folder"
 }
 trap finish EXIT
+failure=$PWD/failed_$(basename "$0" .sh).png  # what was to be seen when the test failed
 cd "$folder" || exit 1
 # What the window remembers of its user is not looked at, nor written to.
 export XDG_STATE_HOME=$folder/state XDG_CACHE_HOME=$folder/cache
@@ -25,7 +26,7 @@ export XDG_STATE_HOME=$folder/state XDG_CACHE_HOME=$folder/cache
 fail() {
     echo "FAILED: $*"
     [ -e window.log ] && cat window.log
-    screen failed
+    import -window root "$failure" 2>/dev/null
     exit 1
 }
 
@@ -101,7 +102,7 @@ start_window() {
     "$program" view -r 720x450 --timings timings.txt "$@" > window.log 2>&1 &
     window_process=$!
     # The bar of menus stands there as soon as the scene has been read.
-    there() { [ "$(pixel 700 10)" = "36 36 36" ]; }
+    there() { [ "$(pixel 700 10)" = "31 32 34" ]; }
     soon 60 there
 }
 

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <utility>
 
+#include "gpu/interface_look.hpp"
+
 namespace vitrine {
 namespace {
 
@@ -131,11 +133,7 @@ void Window::chooseScale() {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
     scale_ = std::clamp(x, 1.0f, 4.0f);
-    ImGuiIO& io = ImGui::GetIO();
-    ImFontConfig font;
-    font.SizePixels = std::round(13 * scale_);
-    io.Fonts->AddFontDefault(&font);
-    ImGui::GetStyle().ScaleAllSizes(scale_);
+    chooseInterfaceLook(scale_);
 }
 
 void Window::measure() {

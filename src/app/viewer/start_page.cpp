@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/viewer/user_folders.hpp"
+#include "gpu/interface_look.hpp"
 #include "scene/heading.hpp"
 
 namespace vitrine {
@@ -21,12 +22,6 @@ const ImVec4 kQuiet{0.62f, 0.64f, 0.68f, 1};
 
 ImTextureID idOf(const Texture& picture) {
     return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture.id()));
-}
-
-void heading(const char* text, float scale, const ImVec4& color) {
-    ImGui::SetWindowFontScale(scale);
-    ImGui::TextColored(color, "%s", text);
-    ImGui::SetWindowFontScale(1);
 }
 
 }  // namespace
@@ -105,7 +100,9 @@ void StartPage::draw(glm::vec2 /*pictureSize*/) {
                         ImVec2(24 * window_.scale(), 20 * window_.scale()));
     ImGui::Begin("Start", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
     ImGui::PopStyleVar();
-    heading("Vitrine", 2, kAccent);
+    ImGui::PushFont(headingFont());
+    ImGui::TextColored(kAccent, "Vitrine");
+    ImGui::PopFont();
     ImGui::TextColored(kQuiet, "Meshes and distance fields in one scene, and every ray sees both.");
     ImGui::Dummy({0, 8 * window_.scale()});
     const float left = std::min(kLeftWidth * window_.scale(), 0.4f * ImGui::GetWindowWidth());
