@@ -61,6 +61,25 @@ there=$(echo vitrine-0002*)
 xdotool key Escape
 gone_again() { [ "$(echo vitrine-0002.mp4*)" = "vitrine-0002.mp4*" ]; }
 soon 20 gone_again
+
+# ---- half a second of another kind, size and rate ----
+xdotool key ctrl+r
+sleep 0.7
+xdotool mousemove 290 263 click 1  # WebM
+sleep 0.3
+xdotool mousemove 313 237 click 1  # 1280x720
+sleep 0.3
+xdotool mousemove 184 211 click 1  # 24 frames a second
+sleep 0.3
+xdotool mousemove 420 185 click --repeat 2 --delay 80 1
+sleep 0.3
+hold ctrl a
+xdotool type --delay 60 0.5
+sleep 0.3
+screen chosen
+hold Return
+soon 120 test -s vitrine-0001.webm
+[ "$(facts vitrine-0001.webm)" = "vp9,1280,720,24/1,12" ] || fail "film: $(facts vitrine-0001.webm)"
 close_window
 
 # ---- a still scene: the camera goes around ----

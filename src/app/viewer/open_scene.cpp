@@ -33,6 +33,12 @@ bool fits(const Scene& a, const Scene& b) {
     return same(a.shapes, b.shapes) && same(a.materials, b.materials);
 }
 
+bool isOfCamera(const AnimationTrack& track) {
+    return track.target.object == AnimationTarget::Object::kCamera;
+}
+
+constexpr float kSnippetSeconds = 10;  // of a time that has no end, to begin with
+
 }  // namespace
 
 bool canOpen(const std::string& file) {
@@ -172,11 +178,40 @@ PackedMoment OpenScene::momentWithoutEdits(float time) {
     return pack(plainPosed_);
 }
 
-float OpenScene::duration() const {
+TimeSpan OpenScene::timeSpan(size_t camera) const {
+    TimeSpan span;
+    span.endless = snippetsMove();
+    if (span.endless) span.seconds = kSnippetSeconds;
     float last = 0;
-    for (const AnimationTrack& track : loaded_->scene.animations)
+    for (const AnimationTrack& track : loaded_->scene.animations) {
+        if (isOfCamera(track) && track.target.index != camera) continue;
+        span.hasKeys = true;
+        span.endless = span.endless || track.loop != LoopMode::kNone;
         last = std::max({last, track.times.back(), track.loopEnd});
-    return last;
+    }
+    if (last > 0) span.seconds = last;
+    return span;
+}
+
+bool OpenScene::snippetsMove() const {
+    const auto moves = [](const auto& snippet) { return snippet && snippet->usesTime; };
+    const Assets& assets = loaded_->assets;
+    return std::any_of(assets.fields.begin(), assets.fields.end(), moves) ||
+           std::any_of(assets.materials.begin(), assets.materials.end(), moves);
+}
+
+bool OpenScene::moves(size_t camera) const {
+    const auto& tracks = loaded_->scene.animations;
+    return std::any_of(tracks.begin(), tracks.end(), [&](const AnimationTrack& track) {
+        return isOfCamera(track) && track.target.index == camera &&
+               (track.target.key == "eye" || track.target.key == "target");
+    });
+}
+
+bool OpenScene::movesAlone(size_t camera) const {
+    const auto& tracks = loaded_->scene.animations;
+    return moves(camera) && !snippetsMove() &&
+           std::all_of(tracks.begin(), tracks.end(), isOfCamera);
 }
 
 bool OpenScene::canSave() const {

@@ -12,6 +12,7 @@
 #include "app/viewer/edits.hpp"
 #include "app/viewer/file_watch.hpp"
 #include "app/viewer/load.hpp"
+#include "app/viewer/timeline.hpp"
 
 namespace vitrine {
 
@@ -55,8 +56,11 @@ class OpenScene {
     [[nodiscard]] const Scene& posedWithoutEdits() const { return plain_ ? plainPosed_ : posed_; }
     /// The scene of the last moment().
     [[nodiscard]] const Scene& posed() const { return posed_; }
-    /// Where the last key of the animations is, s; 0: nothing moves by itself.
-    [[nodiscard]] float duration() const;
+    /// What there is to play, seen with one of the cameras: the ways of the others do not count.
+    [[nodiscard]] TimeSpan timeSpan(size_t camera) const;
+    /// Whether a camera goes by itself, and whether nothing else does.
+    [[nodiscard]] bool moves(size_t camera) const;
+    [[nodiscard]] bool movesAlone(size_t camera) const;
 
     /// `--set` assignments: of the command line, then of the edits.
     [[nodiscard]] std::vector<std::string> overrides() const;
@@ -77,6 +81,7 @@ class OpenScene {
 
   private:
     bool takeNumbers();
+    [[nodiscard]] bool snippetsMove() const;
     [[nodiscard]] PackedMoment pack(const Scene& posed) const;
     [[nodiscard]] std::string editedText(Diagnostics& diagnostics) const;
 

@@ -149,5 +149,35 @@ TEST_F(OpenSceneTest, AnotherFileIsTakenWholeOrNotAtAll) {
     EXPECT_EQ(scene_.follow(true), Change::kMustRead) << "it is watched";
 }
 
+TEST_F(OpenSceneTest, KnowsWhatThereIsToPlay) {
+    EXPECT_EQ(scene_.timeSpan(0).seconds, 0);
+    write("ball.sdf.glsl",
+          "// bounds[-2, -2, -2,  2, 2, 2]\n// lipschitz[1]\n"
+          "float sdf(vec3 p) { return length(p) - 1.0 - 0.1 * sin(time); }\n");
+    ASSERT_EQ(scene_.follow(true), Change::kMustRead);
+    ASSERT_TRUE(answer(scene_.request()));
+    const TimeSpan snippets = scene_.timeSpan(0);
+    EXPECT_GT(snippets.seconds, 0);
+    EXPECT_TRUE(snippets.endless);
+    EXPECT_FALSE(snippets.hasKeys);
+    write("scene.toml", std::string("[[camera]]\n[[camera]]\norbit = { period = 7 }\n") + kText +
+                            "[[animation]]\nparam = \"render.exposure\"\n"
+                            "keys = [[0, 0], [3, 1]]\n");
+    write("ball.sdf.glsl", kBall);
+    ASSERT_EQ(scene_.follow(true), Change::kMustRead);
+    ASSERT_TRUE(answer(scene_.request()));
+    EXPECT_EQ(scene_.timeSpan(0).seconds, 3) << "the orbit is the other camera's";
+    EXPECT_FALSE(scene_.timeSpan(0).endless);
+    EXPECT_EQ(scene_.timeSpan(1).seconds, 7);
+    EXPECT_TRUE(scene_.timeSpan(1).endless);
+    EXPECT_FALSE(scene_.moves(0));
+    EXPECT_TRUE(scene_.moves(1));
+    EXPECT_FALSE(scene_.movesAlone(1));
+    write("scene.toml", std::string("[[camera]]\norbit = { period = 7 }\n") + kText);
+    ASSERT_EQ(scene_.follow(true), Change::kMustRead);
+    ASSERT_TRUE(answer(scene_.request()));
+    EXPECT_TRUE(scene_.movesAlone(0));
+}
+
 }  // namespace
 }  // namespace vitrine

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/file.hpp"
+#include "gpu/interface_look.hpp"
 
 namespace vitrine {
 namespace {
@@ -44,9 +45,10 @@ void drawProblems(const Diagnostics& problems, const char* outlook, glm::vec2 pi
         if (++shown > kMostProblems) break;
         ImGui::Text("%s: %s", problem.where.text().c_str(), problem.message.c_str());
         const std::string line = sourceLine(problem.where.file, problem.where.line);
-        if (!line.empty())
-            ImGui::TextColored(ImVec4(1, 0.85f, 0.6f, 1), "%5d | %s", problem.where.line,
-                               line.c_str());
+        if (line.empty()) continue;
+        ImGui::PushFont(sourceFont());
+        ImGui::TextColored(ImVec4(1, 0.85f, 0.6f, 1), "%5d | %s", problem.where.line, line.c_str());
+        ImGui::PopFont();
     }
     ImGui::TextDisabled("%s", outlook);
     ImGui::PopTextWrapPos();
@@ -100,11 +102,11 @@ TimelineTouch drawTimeline(Timeline& timeline, glm::vec2 pictureSize) {
     ImGui::SetNextWindowSize({pictureSize.x, 0});
     ImGui::SetNextWindowBgAlpha(0.7f);
     ImGui::Begin("Timeline", nullptr, kLabel);
-    if (ImGui::Button(timeline.playing ? "pause" : "play")) timeline.playing = !timeline.playing;
+    TimelineTouch touch;
+    touch.played = ImGui::Button(timeline.playing ? "pause" : "play");
     ImGui::SameLine();
     ImGui::Checkbox("loop", &timeline.loop);
     ImGui::SameLine();
-    TimelineTouch touch;
     touch.record = ImGui::Button("record");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);

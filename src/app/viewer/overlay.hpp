@@ -21,6 +21,7 @@ void drawProgress(const std::string& text, glm::vec2 pictureSize);
 
 /// What a hand has done to the timeline.
 struct TimelineTouch {
+    bool played = false;  ///< it is to play, or to stand if it plays
     bool moved = false;   ///< its time is another one
     bool record = false;  ///< a film is wanted
 };

@@ -90,6 +90,16 @@ void listRows(const char* section, const std::vector<T>& list, const OptionTable
     }
 }
 
+void orbitRows(const std::vector<Camera>& cameras, Controls& controls) {
+    for (const Camera& camera : cameras) {
+        const std::string path = fmt::format("camera.{}.orbit", camera.name);
+        if (!camera.orbit || camera.name.empty() || !controls.finds(path, orbitOptions())) continue;
+        if (!object(camera.name + ": orbit", controls)) continue;
+        controls.options(path, orbitOptions(), *camera.orbit);
+        ImGui::TreePop();
+    }
+}
+
 }  // namespace
 
 void Panel::draw(const Scene& scene, const Assets& assets, Edits& edits, Selection& selection) {
@@ -114,7 +124,10 @@ void Panel::draw(const Scene& scene, const Assets& assets, Edits& edits, Selecti
     if (header("Surroundings", controls))
         controls.options("environment", environmentOptions(), scene.environment);
     if (header("Lights", controls)) listRows("light", scene.lights, lightOptions(), controls);
-    if (header("Cameras", controls)) listRows("camera", scene.cameras, cameraOptions(), controls);
+    if (header("Cameras", controls)) {
+        listRows("camera", scene.cameras, cameraOptions(), controls);
+        orbitRows(scene.cameras, controls);
+    }
     if (header("Materials", controls))
         for (size_t i = 0; i < scene.materials.size(); ++i)
             if (materialFound(scene, assets, i, controls) &&

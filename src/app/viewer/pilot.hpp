@@ -28,8 +28,8 @@ class Pilot {
     /// That camera as it is now, by time or because it was `edited`. Its lens always counts; where
     /// it stands counts unless a hand holds the camera, and after an edit even then.
     void follow(const Camera& sceneCamera, bool edited);
-    /// Back to where the scene's camera is.
-    void goHome(float seconds) { take(followed_, seconds); }
+    /// A hand has taken it away from the scene's camera.
+    [[nodiscard]] bool held() const { return held_; }
     [[nodiscard]] bool flying() const { return flight_.active(); }
     /// The cursor from the middle of the picture, in its heights, y up.
     [[nodiscard]] static glm::vec2 cursor(glm::vec2 pictureSize);

@@ -16,7 +16,7 @@ void Playback::addCommands(std::vector<Command>& list) {
     Timeline& timeline = view_.timeline;
     if (timeline.duration <= 0) return;
     list.push_back({"Time", "Play", "Space", ' ', false, false,
-                    [&timeline] { timeline.playing = !timeline.playing; }, timeline.playing});
+                    [this] { view_.play(!view_.timeline.playing); }, timeline.playing});
     list.push_back({"Time", "Loop", "L", 'L', false, false,
                     [&timeline] { timeline.loop = !timeline.loop; }, timeline.loop});
     list.push_back(
@@ -28,6 +28,7 @@ void Playback::addCommands(std::vector<Command>& list) {
 void Playback::draw(glm::vec2 pictureSize) {
     if (view_.timeline.duration <= 0) return;
     const TimelineTouch touch = drawTimeline(view_.timeline, pictureSize);
+    if (touch.played) view_.play(!view_.timeline.playing);
     if (touch.moved) view_.showTime();
     if (touch.record) recorder_.ask();
 }

@@ -24,7 +24,7 @@ void Pointer::addCommands(std::vector<Command>& list) {
     list.push_back({"Move", "Fly to what is under the cursor", "F", 'F', false, false,
                     [this] { flyToCursor(); }});
     list.push_back({"Move", "Where the camera was", "Home", kKeyHome, false, false,
-                    [this] { view_.pilot.goHome(kFlightSeconds); }});
+                    [this] { view_.goHome(); }});
     const std::vector<Camera>& cameras = view_.scene.loaded().scene.cameras;
     for (size_t i = 0; i < cameras.size(); ++i) {
         const bool key = i < 9;

@@ -48,6 +48,8 @@ std::string SceneView::pending() const {
 void SceneView::step(float elapsed, glm::vec2 pictureSize) {
     pictureSize_ = pictureSize;
     if (pilot.steer(elapsed, pictureSize)) touch(Latencies::Kind::kTurn);
+    // A camera that is held does not go, and without it the picture would never be still.
+    if (pilot.held() && scene.movesAlone(camera_)) timeline.playing = false;
     if (timeline.advance(elapsed)) showMoment(Latencies::Kind::kPlay);
     follow();
 }
@@ -138,8 +140,20 @@ void SceneView::openSplit(View view, bool plain) {
 void SceneView::takeCamera(size_t camera) {
     const std::vector<Camera>& cameras = scene.posed().cameras;
     if (camera >= cameras.size()) return;
-    camera_ = camera;
-    pilot.take(cameras[camera], kFlightSeconds);
+    lookThrough(cameras[camera], camera, kFlightSeconds);
+}
+
+void SceneView::lookThrough(const Camera& camera, size_t index, float seconds) {
+    camera_ = index;
+    pilot.take(camera, seconds);
+    timeline.fit(scene.timeSpan(camera_));
+    // Who wants to see through a camera that goes round wants to see it go.
+    if (scene.moves(camera_)) timeline.playing = true;
+}
+
+void SceneView::play(bool on) {
+    timeline.playing = on;
+    if (on && pilot.held() && scene.movesAlone(camera_)) goHome();
 }
 
 const Camera& SceneView::sceneCamera() const {
@@ -211,17 +225,18 @@ void SceneView::accept(Workshop::Delivery delivery) {
         if (!taken && scene.isWaiting()) order(scene.request());
         if (!taken) return;
         selection = {};
-        timeline = {};
     }
     if (!taken) return;
     if (first || request.otherFile) {
         const std::vector<Camera>& cameras = scene.loaded().scene.cameras;
         const std::string name = readingCamera_.value_or("");
-        camera_ = static_cast<size_t>(&findCamera(scene.loaded().scene, name) - cameras.data());
-        pilot.take(cameras[camera_], 0);
+        const Camera& camera = findCamera(scene.loaded().scene, name);
+        timeline = {};
+        lookThrough(camera, static_cast<size_t>(&camera - cameras.data()), 0);
+        const TimeSpan span = scene.timeSpan(camera_);
+        timeline.loop = span.hasKeys || !span.endless;
         readingCamera_.reset();
     }
-    timeline.duration = scene.duration();
     showDelivered(delivery);
 }
 
@@ -234,6 +249,7 @@ void SceneView::showDelivered(Workshop::Delivery& delivery) {
 
 void SceneView::showMoment(Latencies::Kind why) {
     try {
+        timeline.fit(scene.timeSpan(camera_));
         moment_ = scene.moment(timeline.time);
         plainMoment_.reset();
         if (split.isPlain()) plainMoment_ = scene.momentWithoutEdits(timeline.time);

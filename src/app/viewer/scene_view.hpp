@@ -81,6 +81,11 @@ class SceneView {
     void openSplit(View view, bool plain = false);
     /// Flies to a camera of the scene.
     void takeCamera(size_t camera);
+    /// Flies back to the scene's camera, wherever that is by now.
+    void goHome() { takeCamera(camera_); }
+    /// Lets time pass, or stand. A camera that is all that moves goes on even if a hand has held
+    /// it.
+    void play(bool on);
     /// The timeline has been moved by hand.
     void showTime() { showMoment(Latencies::Kind::kPlay); }
 
@@ -115,6 +120,7 @@ class SceneView {
     void accept(Workshop::Delivery delivery);
     void showDelivered(Workshop::Delivery& delivery);
     void orderMissingFrames();
+    void lookThrough(const Camera& camera, size_t index, float seconds);
     void showMoment(Latencies::Kind why);
     [[nodiscard]] Stage::Wish plainWish() const;
     [[nodiscard]] const PackedMoment& splitMoment() const {
