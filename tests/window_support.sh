@@ -14,7 +14,7 @@ window_process=
 server=
 finish() {
     [ -n "$window_process" ] && kill "$window_process" 2>/dev/null
-    [ -n "$server" ] && kill "$server" 2>/dev/null
+    [ -n "$server" ] && kill "$server" 2>/dev/null && wait "$server" 2>/dev/null
     rm -rf "$folder"
 }
 trap finish EXIT
@@ -88,13 +88,20 @@ SCENE
     cp scene.toml before.toml
 }
 
+# A server that ends can take the socket of a new one of the same number with it: then another.
 start_display() {
-    : > display
-    Xvfb -displayfd 5 -screen 0 720x450x24 5> display >/dev/null 2>&1 &
-    server=$!
-    for _ in $(seq 200); do [ -s display ] && break; sleep 0.05; done
-    DISPLAY=:$(cat display)
-    export DISPLAY
+    for _ in 1 2 3 4 5; do
+        : > display
+        Xvfb -displayfd 5 -screen 0 720x450x24 5> display >/dev/null 2>&1 &
+        server=$!
+        for _ in $(seq 200); do [ -s display ] && break; sleep 0.05; done
+        DISPLAY=:$(cat display)
+        export DISPLAY
+        xdotool getmouselocation >/dev/null 2>&1 && return
+        kill "$server" 2>/dev/null
+        wait "$server" 2>/dev/null
+    done
+    fail "no display"
 }
 
 # Any further arguments go to the program. The window fills the screen; the panel takes 340 pixels.

@@ -21,7 +21,8 @@ LoadedScene loadAll(const std::filesystem::path& file, const std::vector<std::st
     if (isBareFile(file)) {
         const auto text = sceneAround(file, library, prober, diagnostics);
         if (!text) return loaded;
-        loaded.scene = parseScene(*text, file.string(), overrides, diagnostics);
+        loaded.text = *text;
+        loaded.scene = parseScene(loaded.text, file.string(), overrides, diagnostics);
     } else if (endsWith(file.string(), ".toml")) {
         loaded.scene = loadScene(file, overrides, diagnostics);
     } else {

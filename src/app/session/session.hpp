@@ -23,6 +23,7 @@ struct LoadedScene {
     Scene scene;
     Assets assets;
     PackedScene packed;
+    std::string text;  ///< of the scene that has been made around a bare file; "": of none
 };
 
 /// What has been read and built for a scene, for the next load of it: only what has changed on the

@@ -109,14 +109,22 @@ bool OpenScene::take(LoadResult result, const Diagnostics& problems) {
     return true;
 }
 
+/// The scene's text, read again, with assignments.
+Scene OpenScene::sceneWith(const std::vector<std::string>& assignments) {
+    Diagnostics diagnostics;
+    Scene scene = loaded_->text.empty()
+                      ? loadScene(file_, assignments, diagnostics)
+                      : parseScene(loaded_->text, file_, assignments, diagnostics);
+    importModels(scene, models_, diagnostics);
+    diagnostics.throwIfErrors();
+    return scene;
+}
+
 /// Reads the scene's text again, with the edits, and nothing else.
 bool OpenScene::takeNumbers() {
-    Diagnostics diagnostics;
     editsSeen_ = edits.version();
     try {
-        Scene next = loadScene(file_, overrides(), diagnostics);
-        importModels(next, models_, diagnostics);
-        diagnostics.throwIfErrors();
+        Scene next = sceneWith(overrides());
         // Changed on the disk a moment ago: the next look at the files finds it.
         if (!fits(next, loaded_->scene)) return false;
         std::swap(loaded_->scene, next);
@@ -145,8 +153,7 @@ OpenScene::Change OpenScene::follow(bool files) {
     if (editsSeen_ == edits.version()) return Change::kNone;
     const std::vector<std::string>& before = waiting_ ? waiting_->overrides : taken_;
     // While the files are broken, numbers of the last good scene cannot be trusted to fit them.
-    if (problems_.hasErrors() || !isScene(file_) || !changesOnlyNumbers(before, overrides()))
-        return Change::kMustRead;
+    if (problems_.hasErrors() || !changesOnlyNumbers(before, overrides())) return Change::kMustRead;
     // Numbers do not wait for a snippet; but those that may not fit this scene do, for the next.
     if (waiting_ && !waiting_->sameText) return Change::kNone;
     return takeNumbers() ? Change::kNumbers : Change::kNone;
@@ -165,11 +172,8 @@ PackedMoment OpenScene::moment(float time) {
 }
 
 PackedMoment OpenScene::momentWithoutEdits(float time) {
-    if (!plain_ && isScene(file_)) {
-        Diagnostics diagnostics;
-        Scene scene = loadScene(file_, given_, diagnostics);
-        importModels(scene, models_, diagnostics);
-        diagnostics.throwIfErrors();
+    if (!plain_) {
+        Scene scene = sceneWith(given_);
         // Changed on the disk a moment ago, and soon read anew: then the old one will do.
         if (fits(scene, loaded_->scene)) plain_ = std::move(scene);
     }

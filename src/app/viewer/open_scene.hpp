@@ -50,7 +50,7 @@ class OpenScene {
     /// The scene at a time, packed for Frame::update(). Throws InputError.
     [[nodiscard]] PackedMoment moment(float time);
     /// The same as the file and the command line say, without the edits; but for pictures of the
-    /// surroundings, which are those of loaded(). Of a model or a field that is moment().
+    /// surroundings, which are those of loaded().
     [[nodiscard]] PackedMoment momentWithoutEdits(float time);
     /// The scene of the last momentWithoutEdits().
     [[nodiscard]] const Scene& posedWithoutEdits() const { return plain_ ? plainPosed_ : posed_; }
@@ -81,6 +81,7 @@ class OpenScene {
 
   private:
     bool takeNumbers();
+    [[nodiscard]] Scene sceneWith(const std::vector<std::string>& assignments);
     [[nodiscard]] bool snippetsMove() const;
     [[nodiscard]] PackedMoment pack(const Scene& posed) const;
     [[nodiscard]] std::string editedText(Diagnostics& diagnostics) const;

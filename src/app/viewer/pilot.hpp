@@ -21,6 +21,9 @@ class Pilot {
     /// Takes what ImGui says of the mouse and the keys over a picture of this size (ImGui units,
     /// from the upper left). Returns whether the camera moved.
     bool steer(float elapsed, glm::vec2 pictureSize);
+    /// Keys have come with Ctrl, which may be up by now: they do not mean a walk, unless there is
+    /// one.
+    void standStill() { meantOtherwise_ = meantOtherwise_ || !walking_; }
     /// Flies to another camera in `seconds`; any move by hand ends it.
     void flyTo(const Camera& goal, float seconds);
     /// Takes a camera of the scene, and from now on goes where it goes until a hand takes over.

@@ -49,7 +49,11 @@ void Stage::begin(const Wish& wish) {
     begun_ = true;
 }
 
-void Stage::draw(const Wish& wish, double budgetSeconds) {
+void Stage::draw(const Wish& asked, double budgetSeconds) {
+    Wish wish = asked;
+    // Fine rows come over a coarse picture, and there is always one at once.
+    const bool first = picture_ == nullptr && !asked.moving;
+    if (first) wish.moving = true;
     const bool fresh = !begun_ || !same(wish, wish_) || wish_.moving != wish.moving;
     wish_ = wish;
     const ContextUse use(frame_->context());
@@ -63,7 +67,7 @@ void Stage::draw(const Wish& wish, double budgetSeconds) {
     if (wish.moving)
         frame.drawSample();
     else
-        whole = frame.advance(budgetSeconds);
+        whole = frame.advance(fresh ? budgetSeconds / 4 : budgetSeconds);  // new images cost, too
     if (whole) {
         ++samplesDrawn_;
         finished_ = samplesDrawn_ >= samples;
@@ -80,6 +84,7 @@ void Stage::draw(const Wish& wish, double budgetSeconds) {
     }
     lastSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (wish.moving) pace_.took(lastSeconds_, budgetSeconds);
+    if (first) finished_ = false;
 }
 
 void Stage::measure(bool wanted) {

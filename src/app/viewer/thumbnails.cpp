@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "app/session/session.hpp"
@@ -19,12 +20,17 @@ namespace {
 
 constexpr int kSamples = 4;
 constexpr uint64_t kMaxSceneBytes = 16u << 20;
-constexpr uint64_t kMaxPictureBytes = 4u << 20;
+constexpr uint64_t kMaxPictureBytes = 4u << 20, kMaxFilesBytes = 4u << 20;
 
 struct Stopped {};
 
+std::filesystem::path filesBeside(std::filesystem::path picture) {
+    return picture += ".files";
+}
+
 std::optional<ImageRgba8> readPicture(const std::filesystem::path& file) {
     try {
+        if (!areUnchanged(readFile(filesBeside(file), kMaxFilesBytes))) return {};
         const std::string bytes = readFile(file, kMaxPictureBytes);
         const std::span data(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
         if (pngSize(data, file.string()) != ImageSize{Thumbnails::kWidth, Thumbnails::kHeight})
@@ -46,6 +52,27 @@ std::string thumbnailName(std::string_view text, std::string_view version) {
     add(version);
     add(text);
     return fmt::format("scene-{:016x}.png", hash);
+}
+
+std::string thumbnailFiles(const FileStamps& files) {
+    std::string text;
+    for (const auto& [path, stamp] : files)
+        text +=
+            fmt::format("{} {} {} {}\n", stamp.nanoseconds, stamp.size, stamp.inode, path.string());
+    return text;
+}
+
+bool areUnchanged(std::string_view thumbnailFiles) {
+    std::istringstream lines{std::string(thumbnailFiles)};
+    FileStamp then;
+    bool any = false;
+    for (std::string path; lines >> then.nanoseconds >> then.size >> then.inode;) {
+        lines.ignore(1);
+        std::getline(lines, path);
+        if (stampOf(path) != then) return false;
+        any = true;
+    }
+    return any && lines.eof();
 }
 
 Thumbnails::Thumbnails(std::vector<std::string> files, std::filesystem::path cache,
@@ -113,8 +140,9 @@ void Thumbnails::run() {
     for (const auto& [i, kept] : missing) {
         if (shouldStop()) return;
         ImageRgba8 picture;
+        FileStamps files;
         try {
-            alone.execute([&, scene = i] { picture = draw(files_[scene]); });
+            alone.execute([&, scene = i] { picture = draw(files_[scene], files); });
         } catch (const Stopped&) {
             return;
         } catch (const std::exception&) {
@@ -123,15 +151,18 @@ void Thumbnails::run() {
         }
         if (!kept.empty()) {
             const std::vector<uint8_t> bytes = encodePng(picture);
-            (void)keepFile(kept, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+            if (keepFile(kept, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}))
+                (void)keepFile(filesBeside(kept), thumbnailFiles(files));
         }
         deliver(i, std::move(picture));
     }
 }
 
-ImageRgba8 Thumbnails::draw(const std::string& file) {
+ImageRgba8 Thumbnails::draw(const std::string& file, FileStamps& files) {
     Diagnostics diagnostics;
+    const ReadRecord record;
     const LoadedScene loaded = loadAll(file, {}, diagnostics);
+    files = record.files();
     diagnostics.throwIfErrors();
     if (shouldStop()) throw Stopped{};
     Renderer renderer(loaded, Backend::kAuto, false);

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/file.hpp"
 #include "image/image.hpp"
 
 namespace vitrine {
@@ -22,8 +23,8 @@ class Thumbnails {
         ImageRgba8 picture;  ///< kWidth x kHeight; empty: the scene cannot be drawn
     };
 
-    /// `cache`: the folder that keeps them, "": none. A picture there counts as long as the scene's
-    /// text and `version` are the same.
+    /// `cache`: the folder that keeps them, "": none. A picture there counts as long as `version`,
+    /// the scene's text and the files that it was drawn from are the same.
     Thumbnails(std::vector<std::string> files, std::filesystem::path cache, std::string version);
     /// May wait for a scene that is being read.
     ~Thumbnails();
@@ -37,7 +38,7 @@ class Thumbnails {
 
   private:
     void run();
-    ImageRgba8 draw(const std::string& file);
+    ImageRgba8 draw(const std::string& file, FileStamps& files);
     void deliver(size_t scene, ImageRgba8 picture);
     /// Waits while paused. Whether to give up.
     bool shouldStop();
@@ -54,5 +55,10 @@ class Thumbnails {
 
 /// The name of a scene's picture in the cache: of its text and the program's version.
 std::string thumbnailName(std::string_view text, std::string_view version);
+
+/// What stands beside it, in a file of its name and ".files": what it was drawn from, a line each.
+std::string thumbnailFiles(const FileStamps& files);
+/// Whether all of them are as they were.
+bool areUnchanged(std::string_view thumbnailFiles);
 
 }  // namespace vitrine

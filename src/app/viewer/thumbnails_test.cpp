@@ -30,8 +30,11 @@ class ThumbnailsTest : public testing::Test {
         writeFileAtomically(folder_ / name, text);
         return (folder_ / name).string();
     }
-    void keep(const std::string& text, const ImageRgba8& picture) {
-        writeFileAtomically(folder_ / "cache" / thumbnailName(text, "1"), encodePng(picture));
+    /// A picture of a scene with this text, drawn from `file`.
+    void keep(const std::string& text, const ImageRgba8& picture, const std::string& file) {
+        const fs::path kept = folder_ / "cache" / thumbnailName(text, "1");
+        writeFileAtomically(kept, encodePng(picture));
+        writeFileAtomically(kept.string() + ".files", thumbnailFiles({{file, stampOf(file)}}));
     }
     fs::path folder_ = fs::temp_directory_path() / ("vitrine-thumbs-" + std::to_string(::getpid()));
 };
@@ -40,15 +43,22 @@ TEST_F(ThumbnailsTest, AreTakenFromTheCacheWithoutDrawing) {
     ImageRgba8 picture(Thumbnails::kWidth, Thumbnails::kHeight);
     std::fill(picture.pixels.begin(), picture.pixels.end(), uint8_t{255});
     picture.at(3, 2)[1] = 7;
-    keep("no scene at all", picture);  // nothing could be drawn of it
+    const std::string snippet = scene("a.sdf.glsl", "one");
+    keep("no scene at all", picture, snippet);  // nothing could be drawn of it
     Thumbnails thumbnails({scene("a.toml", "no scene at all")}, folder_ / "cache", "1");
     const auto results = all(thumbnails, 1);
     ASSERT_EQ(results.size(), 1u);
     EXPECT_EQ(results[0].picture, picture);
+
+    scene("a.sdf.glsl", "another");
+    Thumbnails later({scene("a.toml", "no scene at all")}, folder_ / "cache", "1");
+    const auto drawnAnew = all(later, 1);
+    ASSERT_EQ(drawnAnew.size(), 1u);
+    EXPECT_TRUE(drawnAnew[0].picture.pixels.empty()) << "what it shows has changed";
 }
 
 TEST_F(ThumbnailsTest, AreEmptyForWhatCannotBeDrawn) {
-    keep("broken", ImageRgba8(2, 2));  // of another size: not ours
+    keep("broken", ImageRgba8(2, 2), scene("x", ""));  // of another size: not ours
     writeFileAtomically(folder_ / "cache" / thumbnailName("[broken", "1"), "no picture");
     Thumbnails thumbnails({scene("a.toml", "broken"), scene("b.toml", "[broken"),
                            (folder_ / "missing.toml").string()},
@@ -61,6 +71,19 @@ TEST_F(ThumbnailsTest, AreEmptyForWhatCannotBeDrawn) {
 TEST_F(ThumbnailsTest, DoNothingWhilePaused) {
     Thumbnails thumbnails({scene("a.toml", "broken")}, "", "1");
     thumbnails.setPaused(true);  // it may have begun, but it must end
+}
+
+TEST_F(ThumbnailsTest, KnowWhatTheyWereDrawnFrom) {
+    const std::string a = scene("a file", "1"), b = scene("b", "1");
+    const std::string list = thumbnailFiles({{a, stampOf(a)}, {b, stampOf(b)}, {"/none", {}}});
+    EXPECT_TRUE(areUnchanged(list));
+    EXPECT_FALSE(areUnchanged(""));
+    EXPECT_FALSE(areUnchanged("nonsense\n"));
+    EXPECT_FALSE(areUnchanged(list + "nonsense\n"));
+    scene("a file", "2");
+    EXPECT_FALSE(areUnchanged(list));
+    scene("a file", "1");
+    EXPECT_FALSE(areUnchanged(list)) << "another time";
 }
 
 TEST(ThumbnailName, ChangesWithTheTextAndTheVersion) {

@@ -165,6 +165,8 @@ class Viewer {
 
     void takeKeys(const std::vector<Command>& commands) {
         std::vector<KeyPress> presses = window_->takeKeyPresses();
+        if (std::any_of(presses.begin(), presses.end(), [](const auto& p) { return p.control; }))
+            view_.pilot.standStill();
         std::erase_if(presses, [this](const KeyPress& press) {  // who is in front comes first
             return std::any_of(tools_.rbegin(), tools_.rend(),
                                [&](const auto& tool) { return tool->takeKey(press); });
