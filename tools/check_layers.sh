@@ -30,21 +30,19 @@ declare -A may=(
 )
 # Folders of shaders/: includes go only leftwards in this list.
 order=(shared lib scene trace shade pass entry)
-rank() {
-    local i
-    for i in "${!order[@]}"; do [ "${order[$i]}" = "$1" ] && echo "$i" && return; done
-    echo -1
-}
+declare -A rank=()
+for i in "${!order[@]}"; do rank[${order[$i]}]=$i; done
 
 while IFS=: read -r file line text; do
     folder=${file#src/}
     folder=${folder%/*}
-    target=$(sed -n 's/.*#include "\([^"]*\)".*/\1/p' <<< "$text")
+    target=${text#*\"}
+    target=${target%%\"*}
     # A test may borrow a helper of another test.
     [[ $file == *_test.cpp && $target != */* ]] && continue
     case $target in
         ../* | */../*) report "$file:$line" "relative include '$target'"; continue ;;
-        app/*) layer=$(cut -d/ -f1,2 <<< "$target") ;;
+        app/*/*) layer=${target#app/} layer=app/${layer%%/*} ;;
         *) layer=${target%%/*} ;;
     esac
     [ "$layer" = "$folder" ] && continue
@@ -63,10 +61,11 @@ done < <(grep -rnE '^ *#include <(epoxy|GL|EGL|GLES)' src)
 while IFS=: read -r file line text; do
     from=${file#shaders/}
     from=${from%%/*}
-    target=$(sed -n 's/.*#include "\([^"]*\)".*/\1/p' <<< "$text")
+    target=${text#*\"}
+    target=${target%%\"*}
     to=${target%%/*}
     [ "$to" = generated ] && continue
-    if [ "$(rank "$to")" -lt 0 ] || [ "$(rank "$to")" -gt "$(rank "$from")" ]; then
+    if [ -z "${rank[$to]:-}" ] || [ "${rank[$to]}" -gt "${rank[$from]:--1}" ]; then
         report "$file:$line" "shaders/$from must not use '$target'"
     fi
 done < <(grep -rnE '^ *#include "' shaders)

@@ -149,6 +149,18 @@ TEST_F(OpenSceneTest, AnotherFileIsTakenWholeOrNotAtAll) {
     EXPECT_EQ(scene_.follow(true), Change::kMustRead) << "it is watched";
 }
 
+TEST_F(OpenSceneTest, NumbersOfABareFieldAreTakenAtOnceToo) {
+    OpenScene bare(path("ball.sdf.glsl"), {});
+    ASSERT_TRUE(bare.take(read(bare.request()), {}));
+    bare.edits.set("render.exposure", "1");
+    EXPECT_EQ(bare.follow(true), Change::kNumbers);
+    EXPECT_EQ(bare.loaded().scene.render.exposure, 1);
+    (void)bare.momentWithoutEdits(0);
+    EXPECT_EQ(bare.posedWithoutEdits().render.exposure, 0);
+    bare.edits.set("environment.turbidity", "3");
+    EXPECT_EQ(bare.follow(true), Change::kMustRead);
+}
+
 TEST_F(OpenSceneTest, KnowsWhatThereIsToPlay) {
     EXPECT_EQ(scene_.timeSpan(0).seconds, 0);
     write("ball.sdf.glsl",
