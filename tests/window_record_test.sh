@@ -62,7 +62,9 @@ xdotool key Escape
 gone_again() { [ "$(echo vitrine-0002.mp4*)" = "vitrine-0002.mp4*" ]; }
 soon 20 gone_again
 
-# ---- half a second of another kind, size and rate ----
+# ---- half a second of another kind, size and rate, of two views ----
+xdotool mousemove 190 440 key v
+shoot
 xdotool key ctrl+r
 sleep 0.7
 xdotool mousemove 290 263 click 1  # WebM
@@ -80,6 +82,15 @@ screen chosen
 hold Return
 soon 120 test -s vitrine-0001.webm
 [ "$(facts vitrine-0001.webm)" = "vp9,1280,720,24/1,12" ] || fail "film: $(facts vitrine-0001.webm)"
+sh -c "'$program' render moving.toml -o left.png --resolution 1280x720 $camera && '$program' render \
+    moving.toml -o right.png --resolution 1280x720 --view normal $camera" || fail "render"
+frame vitrine-0001.webm 0 film.png
+for side in left+0 right+640; do
+    convert ${side%+*}.png -crop 640x720+${side#*+}+0 +repage side.png
+    convert film.png -crop 640x720+${side#*+}+0 +repage filmed.png
+    near filmed.png side.png || fail "the film does not show what is ${side%+*} of the line"
+done
+xdotool mousemove 190 440 key v
 close_window
 
 # ---- a still scene: the camera goes around ----

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Draws the pictures of README.md and docs/ anew. Needs ImageMagick for the sheets.
-#   tools/make_pictures.sh [NAME...]    lesson views tank case robot; all of them without a name
-# VITRINE names another program than ./vitrine.
+#   tools/make_pictures.sh [NAME...]    lesson views tank case robot window; all of them without a name
+# VITRINE names another program than ./vitrine. The window needs Xvfb and xdotool.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-wanted=" ${*:-lesson views tank case robot} "
+wanted=" ${*:-lesson views tank case robot window} "
 
 # sheet FILE COLUMNS: all pictures of $work, each with its name, without its number, under it.
 sheet() {
@@ -78,4 +78,24 @@ material.shell.base_color [0.9,0.55,0.02] [0.03,0.1,0.7]
 PARAMETERS
     sheet docs/robot-parameters.png 4
     mogrify +dither -colors 256 -define png:format=png8 docs/robot-parameters.png
+fi
+if [[ $wanted == *" window "* ]]; then
+    program=$(readlink -f "${VITRINE:-./vitrine}") root=$PWD
+    Xvfb -displayfd 5 -screen 0 1280x760x24 5> "$work/display" > /dev/null 2>&1 &
+    server=$!
+    until [ -s "$work/display" ]; do sleep 0.1; done
+    DISPLAY=:$(cat "$work/display")
+    export DISPLAY XDG_STATE_HOME=$work XDG_CACHE_HOME=$work
+    cd "$work"
+    "$program" view "$root/scenes/robot.toml" -r 1280x760 &
+    sleep 20
+    xdotool key F12  # writes the picture when it is finished
+    until [ -s vitrine-0001.png ]; do sleep 1; done
+    xdotool mousemove 440 320 click 1  # the head
+    sleep 6                            # until the message of the picture is gone
+    import -window root "PNG24:$root/docs/window.png"
+    xdotool key ctrl+q
+    wait %2 || true
+    kill $server
+    rm -f "$work"/*.png
 fi

@@ -3,7 +3,10 @@
 // handed to the encoder. The scene on show must stand still meanwhile.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/viewer/film_plan.hpp"
 #include "app/viewer/film_thread.hpp"
@@ -31,19 +34,30 @@ class FilmTake {
     [[nodiscard]] int framesDone() const { return frame_; }
     /// The share of the frame that is being drawn.
     [[nodiscard]] float frameShare() const;
-    /// The last whole frame, the first one as far as it is drawn; null: there is nothing to see.
-    [[nodiscard]] const Texture* picture() const { return picture_; }
+    /// Shows the last whole frame, the first one as far as it is drawn, in a part of the window's
+    /// picture. False: there is nothing to see.
+    bool show(Window& window, PixelRectangle part) const;
     [[nodiscard]] const FilmSettings& settings() const { return settings_; }
 
   private:
+    /// What stands left or right of the line of a split.
+    struct Side {
+        Side(const Context& context, const LoadedScene& scene, View view, bool isPlain);
+        Frame frame;
+        FrameRequest request;
+        bool plain;  ///< without the edits
+        const Texture* picture = nullptr;
+        [[nodiscard]] bool whole() const { return frame.samplesDrawn() == request.samples; }
+    };
     void begin();
+    void begin(Side& side);
     SceneView& view_;
     FilmSettings settings_;
     FilmThread film_;
-    Frame drawing_;
+    std::optional<float> line_;  ///< of a split
+    std::vector<std::unique_ptr<Side>> sides_;
+    size_t side_ = 0;  ///< that is being drawn
     Pilot pilot_;
-    FrameRequest request_;
-    const Texture* picture_ = nullptr;
     double budgetSeconds_ = 0;
     int frame_ = 0;
     bool written_ = false;

@@ -174,7 +174,6 @@ void Recorder::end() {
 
 void Recorder::show() {
     if (!isRecording()) return;
-    if (take_->picture() == nullptr) return view_.show();
     const Stage::Wish& room = view_.wish();
     const FilmSettings& s = take_->settings();
     const float scale =
@@ -182,8 +181,8 @@ void Recorder::show() {
                   static_cast<float>(room.height) / static_cast<float>(s.height)});
     const int width = static_cast<int>(std::lround(static_cast<float>(s.width) * scale));
     const int height = static_cast<int>(std::lround(static_cast<float>(s.height) * scale));
-    window_.show(*take_->picture(),
-                 {(room.width - width) / 2, (room.height - height) / 2, width, height});
+    const PixelRectangle part{(room.width - width) / 2, (room.height - height) / 2, width, height};
+    if (!take_->show(window_, part)) view_.show();
 }
 
 void Recorder::drawProgress(glm::vec2 pictureSize) {

@@ -74,11 +74,17 @@ Stage::Wish SceneView::plainWish() const {
     const Scene& plain = scene.posedWithoutEdits();
     Stage::Wish wish = wish_;
     takeSettings(plain.render, wish);
-    wish.camera = plain.cameras[std::min(camera_, plain.cameras.size() - 1)];
-    wish.camera.eye = pilot.camera.eye;
-    wish.camera.target = pilot.camera.target;
-    wish.camera.up = pilot.camera.up;
+    wish.camera = plainCamera(pilot.camera);
     return wish;
+}
+
+Camera SceneView::plainCamera(const Camera& place) const {
+    const std::vector<Camera>& cameras = scene.posedWithoutEdits().cameras;
+    Camera camera = cameras[std::min(camera_, cameras.size() - 1)];
+    camera.eye = place.eye;
+    camera.target = place.target;
+    camera.up = place.up;
+    return camera;
 }
 
 void SceneView::show() {

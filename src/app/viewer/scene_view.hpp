@@ -92,6 +92,8 @@ class SceneView {
     [[nodiscard]] View view() const { return view_; }
     /// The camera that the pilot has taken, as the scene has it now.
     [[nodiscard]] const Camera& sceneCamera() const;
+    /// Its lens without the edits, at another camera's place.
+    [[nodiscard]] Camera plainCamera(const Camera& place) const;
     [[nodiscard]] glm::vec2 pictureSize() const { return pictureSize_; }
     [[nodiscard]] float viewHeight() const { return pilot.viewHeight(pictureSize_); }
     [[nodiscard]] const PackedMoment& moment() const { return moment_; }

@@ -51,23 +51,25 @@ void Split::draw(Stage::Wish wish, double budgetSeconds) {
     stage_->draw(wish, budgetSeconds);
 }
 
-int Split::leftOf(int width) const {
-    return static_cast<int>(std::lround(line_ * static_cast<float>(width)));
+int Split::columnOf(float line, int width) {
+    return static_cast<int>(std::lround(line * static_cast<float>(width)));
+}
+
+void Split::join(ImageRgba8& left, const ImageRgba8& right, float line) {
+    const auto skipped = static_cast<size_t>(columnOf(line, left.width)) * ImageRgba8::kChannels;
+    for (int y = 0; y < left.height; ++y) {
+        const auto row = right.row(y).subspan(skipped);
+        std::copy(row.begin(), row.end(), left.row(y).subspan(skipped).begin());
+    }
 }
 
 void Split::putInto(ImageRgba8& picture) {
-    if (stage_ == nullptr || !shown_) return;
-    const ImageRgba8 other = stage_->image();
-    const auto skipped = static_cast<size_t>(leftOf(picture.width)) * ImageRgba8::kChannels;
-    for (int y = 0; y < picture.height; ++y) {
-        const auto right = other.row(y).subspan(skipped);
-        std::copy(right.begin(), right.end(), picture.row(y).subspan(skipped).begin());
-    }
+    if (stage_ != nullptr && shown_) join(picture, stage_->image(), line_);
 }
 
 void Split::show(Window& window, int width, int height) const {
     if (stage_ == nullptr || !shown_ || stage_->picture() == nullptr) return;
-    const int left = leftOf(width);
+    const int left = columnOf(line_, width);
     window.show(*stage_->picture(), {0, 0, width, height}, {left, 0, width - left, height});
 }
 

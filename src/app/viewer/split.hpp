@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A second picture of the same scene, in another view or without the changes made by hand, right of a
-// line that can be dragged.
+// A second picture of the same scene, in another view or without the changes made by hand, right of
+// a line that can be dragged.
 #pragma once
 
 #include <optional>
@@ -36,12 +36,18 @@ class Split {
     void show(Window& window, int width, int height) const;
     /// The same into the other one's pixels. Only when finished; nothing if closed.
     void putInto(ImageRgba8& picture);
+    /// Where the line is, a share of the width; nothing if there is no second picture.
+    [[nodiscard]] std::optional<float> line() const {
+        return stage_ != nullptr && shown_ ? std::optional(line_) : std::nullopt;
+    }
+    /// The first column right of a line.
+    [[nodiscard]] static int columnOf(float line, int width);
+    /// Puts what is right of a line of `right` into `left`, which has the same size.
+    static void join(ImageRgba8& left, const ImageRgba8& right, float line);
     /// The line, to be dragged, over a picture of this size in ImGui units.
     void drawLine(glm::vec2 pictureSize, const std::string& leftName, const std::string& rightName);
 
   private:
-    /// The first column right of the line.
-    [[nodiscard]] int leftOf(int width) const;
     std::unique_ptr<Stage> stage_;
     bool open_ = false, plain_ = false;
     View view_ = View::kNormal;  ///< that is asked for
