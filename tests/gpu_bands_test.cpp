@@ -106,6 +106,47 @@ TEST_F(BandsTest, MakeTheSameViews) {
     }
 }
 
+FrameRequest throughAFilter(int ssaa) {
+    FrameRequest r = request(View::kColor, 1, Primary::kRaster);
+    r.camera.fStop = 0.05f;
+    r.camera.focusDistance = 3;
+    r.camera.lens = LensBlur::kFilter;
+    r.ssaa = ssaa;
+    return r;
+}
+
+/// A lens that is a filter is worked on in bands as well, and begins anew when somebody asks what
+/// is under the cursor meanwhile.
+TEST_F(BandsTest, BlurTheSamePicture) {
+    const LoadedScene loaded = things(false);
+    for (const bool counters : {false, true}) {
+        Frame frame(context(), loaded.packed, Backend::kFragment, counters);
+        FrameRequest r = throughAFilter(counters ? 2 : 1);
+        expectSame(frame, r);
+        r.samples = 1;
+        const ImageRgba8 wanted = atOnce(frame, r).picture;
+        for (const float focus : {1.5f, 6.0f}) {
+            FrameRequest other = r;
+            other.camera.focusDistance = focus;
+            EXPECT_NE(atOnce(frame, other).picture.pixels, wanted.pixels);
+        }
+        frame.begin(r);
+        const glm::uvec4 hit = frame.pick({0.5f, 0.5f});
+        int calls = 0, whole = 0;
+        while (frame.samplesDrawn() < r.samples) {
+            whole += frame.advance(0);
+            EXPECT_EQ(whole, frame.samplesDrawn());
+            // In each phase, for either height.
+            for (const int when : {5, 27, 45, 70, 90, 140})
+                if (calls == when) {
+                    EXPECT_EQ(frame.pick({0.5f, 0.5f}), hit);
+                }
+            ++calls;
+        }
+        EXPECT_EQ(frame.picture().pixels, wanted.pixels);
+    }
+}
+
 /// Rows from the top that two pictures have in common.
 int sameRows(const ImageRgba8& a, const ImageRgba8& b) {
     const size_t row = size_t{4} * kWidth;

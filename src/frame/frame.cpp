@@ -53,7 +53,9 @@ void Frame::begin(const FrameRequest& request) {
                          !allocated_;
     request_ = request;
     sample_ = 0;
+    phase_ = Phase::kSample;
     rowsDone_ = previewRows_ = 0;
+    blurredSamples_ = -1;
     statistics_ = {};
     context_.timer().reset();
     context_.timing = context_.counting || request.timing;
@@ -127,8 +129,8 @@ void Frame::chooseProbes() {
 }
 
 void Frame::drawSample() {
-    startSample();
-    drawRows({});
+    startPhase(Phase::kSample);
+    drawRows(Phase::kSample, {});
     finishSample();
 }
 
@@ -143,26 +145,46 @@ bool Frame::advance(double seconds) {
     const auto since = [](Clock::time_point t) {
         return std::chrono::duration<double>(Clock::now() - t).count();
     };
-    if (rowsDone_ == 0) startSample();
     const int height = request_.height * request_.ssaa;
     do {
+        if (rowsDone_ == 0) startPhase(phase_);
         const auto bandStart = Clock::now();
         const int end = std::min(rowsDone_ + bandRows_, height);
-        drawRows({height - end, height - rowsDone_});  // from the top, as people read
+        drawRows(phase_, {height - end, height - rowsDone_});  // from the top, as people read
         finishGpu();
         rowsDone_ = end;
         // Rows differ in what they cost: a quarter of the time leaves room for dearer ones.
         const double ratio = seconds / 4 / std::max(since(bandStart), 1e-6);
         bandRows_ = std::clamp(static_cast<int>(bandRows_ * std::clamp(ratio, 0.2, 2.0)), 4, 4096);
-    } while (rowsDone_ < height && since(start) < seconds);
-    if (rowsDone_ < height) return false;
+        if (rowsDone_ == height && finishPhase()) return true;
+    } while (since(start) < seconds);
+    return false;
+}
+
+bool Frame::finishPhase() {
     rowsDone_ = 0;
-    finishSample();
+    if (phase_ == Phase::kSample) {
+        finishSample();
+        if (!filters_) return true;
+        phase_ = Phase::kHits;
+        return false;
+    }
+    if (phase_ == Phase::kHits) {
+        phase_ = Phase::kBlur;
+        return false;
+    }
+    phase_ = Phase::kSample;
+    blurredSamples_ = sample_;
     return true;
 }
 
 /// What is done for the whole picture at once.
-void Frame::startSample() {
+void Frame::startPhase(Phase phase) {
+    context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
+    // The bounces have overwritten the records.
+    if (phase == Phase::kHits) rasterise();
+    if (phase == Phase::kBlur) lensFilter_->prepare(context_, mean_[0], paths_[0].records);
+    if (phase != Phase::kSample) return;
     context_.block.sampling.x = sample_;
     const glm::vec2 jitter = sampleOffset(sample_, request_.samples);
     context_.block.jitter = glm::vec4(jitter, request_.ssaa, 0);
@@ -171,11 +193,22 @@ void Frame::startSample() {
     rasterise();
 }
 
-/// The sample's passes over some rows. No pass reads another pixel than its own, so that rows are
-/// independent of each other; every call finds the counters, which change places, as the first did.
-void Frame::drawRows(PixelRows rows) {
+/// A phase's passes over some rows. No pass reads another pixel of this phase than its own, so that
+/// rows are independent of each other; every call finds the counters, which change places, as the
+/// first did.
+void Frame::drawRows(Phase phase, PixelRows rows) {
     const auto firstCounters = context_.counters[0].id();
     context_.rows = rows;
+    if (phase == Phase::kSample) drawSampleRows();
+    if (phase == Phase::kHits) findFirstHits();
+    if (phase == Phase::kBlur) lensFilter_->blur(context_);
+    context_.rows = {};
+    const bool turned = context_.counters[0].id() != firstCounters;
+    if (turned) std::swap(context_.counters[0], context_.counters[1]);
+    if (phase == Phase::kSample) countersTurned_ = turned;
+}
+
+void Frame::drawSampleRows() {
     if (request_.layers && sample_ == 0) {
         const SharpLens sharp(context_.block);
         findFirstHits();
@@ -189,9 +222,6 @@ void Frame::drawRows(PixelRows rows) {
         viewPass(context_, paths_[0].records, radiance_[0]);
     }
     accumulatePass(context_, radiance_[0], mean_[0], mean_[1]);
-    context_.rows = {};
-    countersTurned_ = context_.counters[0].id() != firstCounters;
-    if (countersTurned_) std::swap(context_.counters[0], context_.counters[1]);
 }
 
 void Frame::finishSample() {

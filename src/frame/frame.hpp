@@ -83,7 +83,9 @@ class Frame {
     /// fragment shaders, and the whole sample at once with compute shaders, which a GPU has that
     /// needs no bands. The picture is the same as drawSample()'s to the last bit.
     bool advance(double seconds);
-    [[nodiscard]] int samplesDrawn() const { return sample_; }
+    [[nodiscard]] int samplesDrawn() const {
+        return phase_ == Phase::kSample ? sample_ : sample_ - 1;
+    }
     /// The picture of the samples so far as a texture, which stays, through begin() as well, until
     /// the next call. Not while a sample is being worked on.
     const Texture& display();
@@ -110,8 +112,14 @@ class Frame {
     void use(const PackedMoment& moment);
     void chooseProbes();
     void allocate();
-    void startSample();
-    void drawRows(PixelRows rows);
+    /// What advance() works on: a sample, and for a lens that is a filter the first hits through
+    /// the middles of the pixels and the blur.
+    enum class Phase { kSample, kHits, kBlur };
+    void startPhase(Phase phase);
+    void drawRows(Phase phase, PixelRows rows);
+    void drawSampleRows();
+    /// Whether it was the last one of the sample.
+    bool finishPhase();
     void finishSample();
     [[nodiscard]] bool rasters() const;
     void rasterise();
@@ -126,7 +134,9 @@ class Frame {
     RayImages queries_;
     FrameRequest request_;
     int sample_ = 0;
-    int rowsDone_ = 0;  ///< of the sample that advance() works on
+    Phase phase_ = Phase::kSample;
+    int rowsDone_ = 0;         ///< of that phase
+    int blurredSamples_ = -1;  ///< in what the filter has blurred last
     int bandRows_ = 16;
     bool countersTurned_ = false;  ///< a sample leaves its counts in the other image
     std::array<PathImages, 3> paths_;

@@ -37,11 +37,13 @@ glm::ivec2 texelAt(const Texture& image, glm::vec2 place) {
 /// The mean of the samples, blurred if that is left to the filter.
 const Texture& Frame::finished() {
     if (!filters_) return mean_[0];
-    // The bounces have overwritten the records.
-    context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
-    rasterise();
-    findFirstHits();
-    return lensFilter_->blur(context_, mean_[0], paths_[0].records);
+    if (blurredSamples_ != sample_)
+        for (const Phase phase : {Phase::kHits, Phase::kBlur}) {
+            startPhase(phase);
+            drawRows(phase, {});
+        }
+    blurredSamples_ = sample_;
+    return lensFilter_->blurred();
 }
 
 const Texture& Frame::display() {
@@ -86,8 +88,9 @@ const Texture* Frame::preview() {
 }
 
 glm::uvec4 Frame::pick(glm::vec2 place) {
-    // The first hits of the sample that is being worked on are overwritten.
+    // The first hits that are being worked on are overwritten.
     rowsDone_ = previewRows_ = 0;
+    if (phase_ == Phase::kBlur) phase_ = Phase::kHits;
     context_.block.jitter = glm::vec4(0, 0, request_.ssaa, 0);
     const SharpLens sharp(context_.block);
     const Texture& records = paths_[0].records;

@@ -27,11 +27,13 @@ LensFilter::LensFilter(int width, int height, int maxSide) {
     blurred_ = Texture(width, height, TexelFormat::kRgba32f);
 }
 
-const Texture& LensFilter::blur(PassContext& context, const Texture& mean, const Texture& records) {
+void LensFilter::prepare(PassContext& context, const Texture& mean, const Texture& records) {
     focusLevelsPass(context, mean, records, images_);
     focusReachPass(context, images_);
+}
+
+void LensFilter::blur(PassContext& context) {
     focusPass(context, images_, blurred_);
-    return blurred_;
 }
 
 }  // namespace vitrine

@@ -17,8 +17,11 @@ class LensFilter {
   public:
     /// For pictures of this size. Throws MachineError if `maxSide` is too small for the atlas.
     LensFilter(int width, int height, int maxSide);
-    /// The blurred picture of `mean`, by the first hits in `records`. Needs context.block.lens.w.
-    const Texture& blur(PassContext& context, const Texture& mean, const Texture& records);
+    /// Takes the picture `mean` and the first hits in `records`. Needs context.block.lens.w.
+    void prepare(PassContext& context, const Texture& mean, const Texture& records);
+    /// Blurs it, in the rows of the context.
+    void blur(PassContext& context);
+    [[nodiscard]] const Texture& blurred() const { return blurred_; }
 
   private:
     FocusImages images_;
