@@ -248,6 +248,7 @@ void SceneView::accept(Workshop::Delivery delivery) {
 
 void SceneView::showDelivered(Workshop::Delivery& delivery) {
     secondsBehind_ = delivery.seconds;
+    replaced_ = true;
     if (delivery.frame != nullptr) stage.setFrame(std::move(delivery.frame));
     if (delivery.splitFrame != nullptr) split.setFrame(std::move(delivery.splitFrame));
     showMoment(Latencies::Kind::kReload);

@@ -48,6 +48,8 @@ class SceneView {
     std::optional<Opened> takeOpened() { return std::exchange(opened_, {}); }
     /// What is being made in the background, a sentence; "": nothing, or not for long.
     [[nodiscard]] std::string pending() const;
+    /// Whether frames have been replaced by others, once.
+    bool takeReplaced() { return std::exchange(replaced_, false); }
     /// How long it took from noticing a change to the picture of it, once.
     std::optional<double> takeSecondsBehind() { return std::exchange(secondsBehind_, {}); }
 
@@ -138,6 +140,7 @@ class SceneView {
     PackedMoment moment_;                      ///< what the stage shows, or will
     View view_ = View::kColor;                 ///< that is asked for
     bool counting_ = false;
+    bool replaced_ = false;
     View shown_ = View::kColor;                 ///< the last one for which the stage had a frame
     std::optional<LoadRequest> reading_;        ///< what was ordered and is not there
     std::optional<std::string> readingCamera_;  ///< to be shown then

@@ -43,6 +43,13 @@ double secondsSince(Clock::time_point then) {
     return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
+/// What the pictures of an older scene leave in the heap, as soon as nothing else is to be done.
+void giveMemoryBack() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
 /// The user has closed it before there was anything to see. No fault.
 struct WindowClosed {};
 
@@ -148,7 +155,10 @@ class Viewer {
             if (works(*tool)) tool->update();
         if (const auto seconds = view_.takeSecondsBehind())
             latencies_.add(Latencies::Kind::kBehind, *seconds);
-        if (!busy && settling_ == 0) return window_->skip();
+        if (!busy && settling_ == 0) {
+            if (view_.takeReplaced()) giveMemoryBack();
+            return window_->skip();
+        }
         draw();
         latencies_.add(view_.takeKind(), secondsSince(before_));
     }
