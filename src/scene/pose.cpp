@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "scene/place.hpp"
 #include "scene/target.hpp"
@@ -97,35 +96,11 @@ Scene poseScene(const Scene& scene, double time) {
 }
 
 std::vector<bool> movedNodes(const Scene& scene) {
-    enum class State : char { kUnknown, kStill, kMoved };
-    std::vector<State> states(scene.nodes.size(), State::kUnknown);
+    std::vector<bool> moved(scene.nodes.size(), false);
     for (const AnimationTrack& track : scene.animations)
-        if (track.target.object == AnimationTarget::Object::kNode)
-            states[track.target.index] = State::kMoved;
-    std::unordered_map<std::string, size_t> indexOf;
-    for (size_t i = 0; i < scene.nodes.size(); ++i) indexOf[scene.nodes[i].name] = i;
-    indexOf.erase("");
-    std::vector<size_t> chain;
-    for (size_t start = 0; start < scene.nodes.size(); ++start) {
-        // Up to the first ancestor of which it is known; what is being asked about counts as still,
-        // so that a circle in a scene made by code ends.
-        chain.clear();
-        State state = State::kStill;
-        for (size_t at = start;;) {
-            if (states[at] != State::kUnknown) {
-                state = states[at];
-                break;
-            }
-            states[at] = State::kStill;
-            chain.push_back(at);
-            const auto parent = indexOf.find(scene.nodes[at].parent.name);
-            if (parent == indexOf.end()) break;
-            at = parent->second;
-        }
-        for (const size_t i : chain) states[i] = state;
-    }
-    std::vector<bool> moved(states.size());
-    for (size_t i = 0; i < states.size(); ++i) moved[i] = states[i] == State::kMoved;
+        if (track.target.object == AnimationTarget::Object::kNode) moved[track.target.index] = true;
+    for (const auto& [node, parent] : nodesParentsFirst(scene))
+        if (parent && moved[*parent]) moved[node] = true;
     return moved;
 }
 

@@ -47,60 +47,49 @@ void useAngles(Light& light) {
     light.azimuth = glm::degrees(std::atan2(from.x, from.z));
 }
 
-std::vector<glm::mat4> worldFromNodes(const Scene& scene) {
+std::vector<NodeAndParent> nodesParentsFirst(const Scene& scene) {
     std::unordered_map<std::string, size_t> indexOf;
     for (size_t i = 0; i < scene.nodes.size(); ++i) indexOf[scene.nodes[i].name] = i;
     indexOf.erase("");
-    std::vector<glm::mat4> world(scene.nodes.size(), glm::mat4(1));
+    std::vector<NodeAndParent> ordered;
+    ordered.reserve(scene.nodes.size());
     std::vector<bool> visited(scene.nodes.size(), false);
     for (size_t start = 0; start < scene.nodes.size(); ++start) {
-        // Up to the first ancestor that is known, then down again. The parser has refused circles;
-        // in a scene made by code a circle ends where it closes.
-        std::vector<size_t> chain;
-        glm::mat4 m(1);
-        for (size_t at = start;;) {
-            if (visited[at]) {
-                m = world[at];
-                break;
-            }
+        // Up to the first ancestor that is in order or asked about already, then turned over.
+        const auto chain = static_cast<ptrdiff_t>(ordered.size());
+        for (size_t at = start; !visited[at];) {
             visited[at] = true;
-            chain.push_back(at);
             const auto parent = indexOf.find(scene.nodes[at].parent.name);
-            if (parent == indexOf.end()) break;
-            at = parent->second;
+            const bool has = parent != indexOf.end();
+            ordered.push_back({at, has ? std::optional(parent->second) : std::nullopt});
+            if (has) at = parent->second;
         }
-        for (size_t i = chain.size(); i-- > 0;)
-            world[chain[i]] = m = m * parentFromNode(scene.nodes[chain[i]]);
+        std::reverse(ordered.begin() + chain, ordered.end());
+        // The parser has refused circles; in a scene made by code a circle ends where it closes.
+        if (const auto first = ordered.begin() + chain; first != ordered.end() && first->parent) {
+            const auto inChain = [&](const NodeAndParent& n) { return n.node == *first->parent; };
+            if (std::any_of(first, ordered.end(), inChain)) first->parent.reset();
+        }
+    }
+    return ordered;
+}
+
+std::vector<glm::mat4> worldFromNodes(const Scene& scene) {
+    std::vector<glm::mat4> world(scene.nodes.size());
+    for (const auto& [node, parent] : nodesParentsFirst(scene)) {
+        world[node] = parentFromNode(scene.nodes[node]);
+        if (parent) world[node] = world[*parent] * world[node];
     }
     return world;
 }
 
 std::vector<bool> visibleNodes(const Scene& scene) {
     std::vector<bool> visible(scene.nodes.size());
-    for (size_t i = 0; i < visible.size(); ++i) visible[i] = scene.nodes[i].visible;
+    const auto isVisible = [](const Node& node) { return node.visible; };
+    std::transform(scene.nodes.begin(), scene.nodes.end(), visible.begin(), isVisible);
     if (std::find(visible.begin(), visible.end(), false) == visible.end()) return visible;
-    std::unordered_map<std::string, size_t> indexOf;
-    for (size_t i = 0; i < scene.nodes.size(); ++i) indexOf[scene.nodes[i].name] = i;
-    indexOf.erase("");
-    std::vector<bool> visited(scene.nodes.size(), false);
-    std::vector<size_t> chain;
-    for (size_t start = 0; start < scene.nodes.size(); ++start) {
-        chain.clear();
-        bool shown = true;
-        for (size_t at = start;;) {
-            if (visited[at]) {
-                shown = visible[at];
-                break;
-            }
-            visited[at] = true;
-            chain.push_back(at);
-            const auto parent = indexOf.find(scene.nodes[at].parent.name);
-            if (parent == indexOf.end()) break;
-            at = parent->second;
-        }
-        for (size_t i = chain.size(); i-- > 0;)
-            visible[chain[i]] = shown = shown && visible[chain[i]];
-    }
+    for (const auto& [node, parent] : nodesParentsFirst(scene))
+        if (parent && !visible[*parent]) visible[node] = false;
     return visible;
 }
 

@@ -312,6 +312,13 @@ struct Scene {
     std::vector<std::string> importOverrides;
 };
 
+struct NodeAndParent {
+    size_t node;
+    std::optional<size_t> parent;
+};
+/// All nodes, each after its parent.
+std::vector<NodeAndParent> nodesParentsFirst(const Scene& scene);
+
 /// `worldFromObject` of each node: translation, rotation and scale of it and its ancestors.
 std::vector<glm::mat4> worldFromNodes(const Scene& scene);
 
