@@ -286,7 +286,12 @@ TEST(WorldFromNodes, SurvivesACircleMadeByCode) {
     scene.nodes.resize(2);
     scene.nodes[0].name = scene.nodes[1].parent.name = "a";
     scene.nodes[1].name = scene.nodes[0].parent.name = "b";
-    EXPECT_EQ(worldFromNodes(scene).size(), 2u);
+    scene.nodes[0].at = {1, 0, 0};
+    scene.nodes[1].at = {0, 2, 0};
+    // The second closes the circle: it counts as without a parent.
+    const auto world = worldFromNodes(scene);
+    expectNear(vec3(world[0][3]), {1, 2, 0});
+    expectNear(vec3(world[1][3]), {0, 2, 0});
 }
 
 TEST(WorldFromNodes, LongChainsAreQuick) {

@@ -65,6 +65,21 @@ bool Dialogue::takeEnter() {
     return std::exchange(enter_, false);
 }
 
+bool Dialogue::answer(const char* yes) {
+    const bool pressed = mainButton(yes);
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel")) close();
+    return takeEnter() || pressed;
+}
+
+void Dialogue::end(bool answered, bool good) {
+    if (good)
+        close();
+    else if (answered)
+        askAgain();
+    end();
+}
+
 bool mainButton(const char* text) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.78f, 0.52f, 0.12f, 1));
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImVec4(0.90f, 0.62f, 0.18f, 1));

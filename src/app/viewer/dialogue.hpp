@@ -21,6 +21,10 @@ class Dialogue {
     /// Begins what is inside; if false it is not there, else end() must follow.
     [[nodiscard]] bool begin();
     void end();
+    /// A button for yes, one that closes the box, and whether yes was said, by button or Enter.
+    [[nodiscard]] bool answer(const char* yes);
+    /// end() after an answer, which was good enough or has to be given again.
+    void end(bool answered, bool good);
 
     /// An open one takes every key. Escape closes it.
     bool takeKey(const KeyPress& press);
@@ -29,9 +33,9 @@ class Dialogue {
     /// It has just been opened, or was not content with an answer: the frame in which to put the
     /// cursor into a field, which Enter has left.
     [[nodiscard]] bool isFresh() const { return freshFrames_ == kFreshFrames; }
-    void askAgain();
 
   private:
+    void askAgain();
     static constexpr int kFreshFrames = 12;
     Window& window_;
     std::string title_;

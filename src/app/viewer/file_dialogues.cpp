@@ -71,16 +71,9 @@ std::optional<std::string> OpenDialogue::draw() {
     ImGui::SetNextItemWidth(widthOf(80));
     ImGui::InputTextWithHint("##name", "a name or a path", &typed_);
     if (!problem_.empty()) warning(problem_);
-    const bool asked = mainButton("Open");
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel")) box_.close();
-    const bool answered = box_.takeEnter() || asked;
+    const bool answered = box_.answer("Open");
     if (answered) chosen = accept();
-    if (chosen)
-        box_.close();
-    else if (answered)
-        box_.askAgain();
-    box_.end();
+    box_.end(answered, chosen.has_value());
     return chosen;
 }
 
@@ -128,18 +121,11 @@ std::optional<std::string> SaveDialogue::draw() {
     if (target.exists)
         warning(fs::path(target.file).filename().string() +
                 (known ? " will be overwritten." : " is there already."));
-    const bool asked = mainButton(target.exists ? known ? "Overwrite it" : "Save" : "Save");
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel")) box_.close();
     std::optional<std::string> chosen;
-    const bool answered = box_.takeEnter() || asked;
+    const bool answered = box_.answer(target.exists && known ? "Overwrite it" : "Save");
     if (answered && known && !target.file.empty()) chosen = target.file;
     if (answered) agreed_ = target.file;  // it is overwritten only by who says so twice
-    if (chosen)
-        box_.close();
-    else if (answered)
-        box_.askAgain();
-    box_.end();
+    box_.end(answered, chosen.has_value());
     return chosen;
 }
 

@@ -72,12 +72,8 @@ void Recorder::drawQuestion() {
     const int samples = view_.scene.posed().render.samples;
     ImGui::TextDisabled("%d frames of %d sample%s each, to %s", s.plan.frames(), samples,
                         samples == 1 ? "" : "s", s.file.c_str());
-    const bool asked = mainButton("Record");
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel")) question_.close();
-    const bool go = question_.takeEnter() || asked;
-    if (go) question_.close();
-    question_.end();
+    const bool go = question_.answer("Record");
+    question_.end(go, go);
     if (go) start();
 }
 
