@@ -44,9 +44,7 @@ void measurePasses(const Context& gpu, const LoadedScene& loaded, Backend backen
     packCamera(loaded.scene.cameras[0], kSide, kSide, context.block);
     const auto image = [](TexelFormat format) { return Texture(kSide, kSide, format); };
     for (Texture& t : context.counters) t = image(TexelFormat::kRgba32ui);
-    PathImages from, to;
-    from.allocate(kSide, kSide);
-    to.allocate(kSide, kSide);
+    PathImages from = context.pathImages(kSide, kSide), to = context.pathImages(kSide, kSide);
     Texture before = image(TexelFormat::kRgba32f), after = image(TexelFormat::kRgba32f);
     Texture picture = image(TexelFormat::kRgba8);
     before.clear();

@@ -106,7 +106,6 @@ show 38
 shows "$first" || fail "the menu does not show the colours again"
 
 # ---- nothing moves, nothing is done ----
-ticks() { awk '{print $14 + $15}' "/proc/$window_process/stat"; }
 sleep 4.5  # the message of the written picture goes
 begin=$(ticks)
 sleep 5

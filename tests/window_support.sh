@@ -22,6 +22,7 @@ failure=$PWD/failed_$(basename "$0" .sh).png  # what was to be seen when the tes
 cd "$folder" || exit 1
 # What the window remembers of its user is not looked at, nor written to.
 export XDG_STATE_HOME=$folder/state XDG_CACHE_HOME=$folder/cache
+export PYTHONDONTWRITEBYTECODE=1  # next to the sources
 
 fail() {
     echo "FAILED: $*"
@@ -163,3 +164,12 @@ hold() {
 # Whether the band of an error stands over the picture.
 banner() { set -- $(pixel 4 4); [ "$1" -gt $(($2 + 40)) ] && [ "$1" -gt $(($3 + 40)) ]; }
 no_banner() { ! banner; }
+# The processor time that the window has taken, in hundredths of a second.
+ticks() { awk '{print $14 + $15}' "/proc/$window_process/stat"; }
+# Whether the window had nothing to do for half a second.
+at_rest() {
+    local before
+    before=$(ticks)
+    sleep 0.5
+    [ $(($(ticks) - before)) -le 1 ]
+}

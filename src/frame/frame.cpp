@@ -20,10 +20,11 @@ constexpr int kQuickProbes = 3;
 
 }  // namespace
 
-Frame::Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters)
+Frame::Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters,
+             std::shared_ptr<ImageStore> images)
     : context_(context.info(),
                ProgramSet(context.info(), backend, scene.shaders, featuresOf(scene, counters)),
-               counters),
+               counters, std::move(images)),
       rasterPossible_(context.info().clipControl),
       maxSide_(context.info().maxTextureSize) {
     context_.scene.upload(scene);
@@ -85,7 +86,8 @@ void Frame::begin(const FrameRequest& request) {
     block.sampling.w = request.seed;
     chooseProbes();
     if (request.view == View::kBvh) treeBoxes_.upload(treeLevel(instances_, request.treeLevel));
-    if (filters_ && (resized || !lensFilter_)) lensFilter_.emplace(width, height, maxSide_);
+    if (filters_ && (resized || !lensFilter_))
+        lensFilter_.emplace(context_, width, height, maxSide_);
     if (resized) allocate();
 }
 
@@ -93,8 +95,9 @@ void Frame::allocate() {
     const int width = request_.width * request_.ssaa, height = request_.height * request_.ssaa;
     layers_ = {};
     if (request_.layers) layers_.allocate(width, height);
-    const auto image = [&](TexelFormat f) { return Texture(width, height, f); };
-    for (size_t i = 0; i < (transmissive_ ? 3 : 2); ++i) paths_[i].allocate(width, height);
+    const auto image = [&](TexelFormat f) { return context_.image(width, height, f); };
+    for (size_t i = 0; i < (transmissive_ ? 3 : 2); ++i)
+        paths_[i] = context_.pathImages(width, height);
     for (Texture& t : radiance_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : mean_) t = image(TexelFormat::kRgba32f);
     for (Texture& t : context_.counters) t = image(TexelFormat::kRgba32ui);

@@ -61,7 +61,9 @@ struct FrameStatistics {
 class Frame {
   public:
     /// `counters`: count rays, nodes and loops; needed by some views and for statistics.
-    Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters);
+    /// `images`: where frames that come and go find their images; nullptr: they make their own.
+    Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters,
+          std::shared_ptr<ImageStore> images = nullptr);
 
     /// Whether update() leaves the programs as they are; else all are compiled anew.
     [[nodiscard]] bool covers(const PackedMoment& moment) const {

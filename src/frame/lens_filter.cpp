@@ -10,7 +10,7 @@
 
 namespace vitrine {
 
-LensFilter::LensFilter(int width, int height, int maxSide) {
+LensFilter::LensFilter(const PassContext& context, int width, int height, int maxSide) {
     constexpr int kTile = 16;
     const auto part = [](int size, int side) { return (size + side - 1) / side; };
     int stacked = 0;
@@ -21,10 +21,10 @@ LensFilter::LensFilter(int width, int height, int maxSide) {
             fmt::format("camera.lens = \"filter\" needs an image of {}x{} pixels; "
                         "this driver allows {} a side",
                         atlasWidth, atlasHeight, maxSide));
-    images_.levels = Texture(atlasWidth, atlasHeight, TexelFormat::kRgba32f);
-    images_.extents = Texture(atlasWidth, atlasHeight, TexelFormat::kRgba32f);
-    images_.reach = Texture(part(width, kTile), part(height, kTile), TexelFormat::kRgba32f);
-    blurred_ = Texture(width, height, TexelFormat::kRgba32f);
+    images_.levels = context.image(atlasWidth, atlasHeight, TexelFormat::kRgba32f);
+    images_.extents = context.image(atlasWidth, atlasHeight, TexelFormat::kRgba32f);
+    images_.reach = context.image(part(width, kTile), part(height, kTile), TexelFormat::kRgba32f);
+    blurred_ = context.image(width, height, TexelFormat::kRgba32f);
 }
 
 void LensFilter::prepare(PassContext& context, const Texture& mean, const Texture& records) {

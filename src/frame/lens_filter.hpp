@@ -16,7 +16,7 @@ struct FocusImages {
 class LensFilter {
   public:
     /// For pictures of this size. Throws MachineError if `maxSide` is too small for the atlas.
-    LensFilter(int width, int height, int maxSide);
+    LensFilter(const PassContext& context, int width, int height, int maxSide);
     /// Takes the picture `mean` and the first hits in `records`. Needs context.block.lens.w.
     void prepare(PassContext& context, const Texture& mean, const Texture& records);
     /// Blurs it, in the rows of the context.

@@ -6,11 +6,15 @@
 
 namespace vitrine {
 
-void PathImages::allocate(int width, int height) {
-    records = Texture(width, height, TexelFormat::kRgba32ui);
-    origin = Texture(width, height, TexelFormat::kRgba32f);
-    direction = Texture(width, height, TexelFormat::kRgba32f);
-    throughput = Texture(width, height, TexelFormat::kRgba32f);
+Texture PassContext::image(int width, int height, TexelFormat format) const {
+    return imageStore_ == nullptr ? Texture(width, height, format)
+                                  : imageStore_->take(width, height, format);
+}
+
+PathImages PassContext::pathImages(int width, int height) const {
+    return {
+        image(width, height, TexelFormat::kRgba32ui), image(width, height, TexelFormat::kRgba32f),
+        image(width, height, TexelFormat::kRgba32f), image(width, height, TexelFormat::kRgba32f)};
 }
 
 /// After a program with images that are not of floats, or filtered, in the places of buffers.

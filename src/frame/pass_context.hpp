@@ -10,6 +10,7 @@
 #include "frame/programs.hpp"
 #include "frame/raster_order.hpp"
 #include "gpu/box_pass.hpp"
+#include "gpu/image_store.hpp"
 #include "gpu/overlay_pass.hpp"
 #include "gpu/raster_pass.hpp"
 #include "gpu/sampler_slots.hpp"
@@ -20,16 +21,21 @@ namespace vitrine {
 /// One step of every path: what was hit, and the ray that hit it. The camera's rays are not stored.
 struct PathImages {
     Texture records, origin, direction, throughput;
-    void allocate(int width, int height);
 };
 
 class PassContext {
   public:
-    PassContext(const GpuInfo& gpu, ProgramSet set, bool count)
+    PassContext(const GpuInfo& gpu, ProgramSet set, bool count,
+                std::shared_ptr<ImageStore> imageStore = nullptr)
         : programs(std::move(set)),
           counting(count),
           compilesPerSampler_(gpu.software),
+          imageStore_(std::move(imageStore)),
           timer_(gpu.software) {}
+
+    /// An image for passes to write to. What is in it is not known.
+    [[nodiscard]] Texture image(int width, int height, TexelFormat format) const;
+    [[nodiscard]] PathImages pathImages(int width, int height) const;
 
     /// Runs the pass of this name over the pixels of `rows`. The scene's buffers are always there
     /// for it.
@@ -61,6 +67,7 @@ class PassContext {
   private:
     void restoreSamplers(const Program& program, const PassImages& images);
     const bool compilesPerSampler_;
+    std::shared_ptr<ImageStore> imageStore_;  ///< or nullptr
     std::optional<SamplerSlots> samplerSlots_;
     PassRunner runner_;
     RasterRunner rasterRunner_;

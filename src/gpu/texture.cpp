@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "gpu/context.hpp"
+#include "gpu/image_store.hpp"
 
 namespace vitrine {
 namespace {
@@ -71,6 +72,7 @@ Texture::Texture(Texture&& other) noexcept {
 Texture& Texture::operator=(Texture&& other) noexcept {
     if (this != &other) {
         release();
+        home_ = std::move(other.home_);
         id_ = std::exchange(other.id_, 0);
         width_ = other.width_;
         height_ = other.height_;
@@ -80,8 +82,18 @@ Texture& Texture::operator=(Texture&& other) noexcept {
 }
 
 void Texture::release() {
-    if (id_ != 0) glDeleteTextures(1, &id_);
+    if (const std::shared_ptr<ImageStore> home = std::move(home_))
+        home->giveBack(std::move(*this));
+    else if (id_ != 0)
+        glDeleteTextures(1, &id_);
     id_ = 0;
+}
+
+size_t Texture::bytes() const {
+    const size_t texel = format_ == TexelFormat::kRgba8     ? 4
+                         : format_ == TexelFormat::kRgba16f ? 8
+                                                            : 16;
+    return texel * static_cast<size_t>(width_) * static_cast<size_t>(height_);
 }
 
 std::vector<uint8_t> Texture::readBytes() const {

@@ -4,12 +4,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "base/math.hpp"
 
 namespace vitrine {
+
+class ImageStore;
 
 enum class TexelFormat { kRgba8, kRgba16f, kRgba32f, kRgba32ui };
 
@@ -27,6 +30,7 @@ class Texture {
     [[nodiscard]] TexelFormat format() const { return format_; }
     [[nodiscard]] unsigned id() const { return id_; }
     [[nodiscard]] bool valid() const { return id_ != 0; }
+    [[nodiscard]] size_t bytes() const;
 
     /// Four values a texel, bottom row first. The type must fit the format.
     [[nodiscard]] std::vector<uint8_t> readBytes() const;
@@ -43,7 +47,9 @@ class Texture {
     void smooth();
 
   private:
+    friend class ImageStore;
     void release();
+    std::shared_ptr<ImageStore> home_;  ///< where it goes when it is not needed; else it is deleted
     unsigned id_ = 0;
     int width_ = 0, height_ = 0;
     TexelFormat format_ = TexelFormat::kRgba8;

@@ -33,7 +33,7 @@ void SceneFrame::prepare(const LoadedScene& scene, const PackedMoment& moment, c
     try {
         kind_ = kindOf(wish.view);
         counts_ = wish.counting || kind_ == Kind::kCounters;
-        frame_ = std::make_unique<Frame>(*context_, scene.packed, Backend::kAuto, counts_);
+        frame_ = std::make_unique<Frame>(*context_, scene.packed, Backend::kAuto, counts_, images_);
         frame_->update(moment);
         frame_->callBeforeCompiling(checkpoint);
         compile(wish, moment);

@@ -14,8 +14,8 @@ namespace vitrine {
 class SceneFrame {
   public:
     /// The context is current nowhere. Nothing is uploaded yet.
-    explicit SceneFrame(std::shared_ptr<const SharedContext> context)
-        : context_(std::move(context)) {}
+    SceneFrame(std::shared_ptr<const SharedContext> context, std::shared_ptr<ImageStore> images)
+        : context_(std::move(context)), images_(std::move(images)) {}
     ~SceneFrame();
     SceneFrame(const SceneFrame&) = delete;
     SceneFrame& operator=(const SceneFrame&) = delete;
@@ -46,6 +46,7 @@ class SceneFrame {
     }
     void compile(const Wish& wish, const PackedMoment& moment);
     std::shared_ptr<const SharedContext> context_;
+    std::shared_ptr<ImageStore> images_;
     std::unique_ptr<Frame> frame_;
     Kind kind_ = Kind::kLight;
     bool counts_ = false;

@@ -48,6 +48,8 @@ class SceneView {
     std::optional<Opened> takeOpened() { return std::exchange(opened_, {}); }
     /// What is being made in the background, a sentence; "": nothing, or not for long.
     [[nodiscard]] std::string pending() const;
+    /// When nothing is left to do.
+    void settle() { workshop_.settle(); }
     /// Whether frames have been replaced by others, once.
     bool takeReplaced() { return std::exchange(replaced_, false); }
     /// How long it took from noticing a change to the picture of it, once.

@@ -156,11 +156,17 @@ class Viewer {
         if (const auto seconds = view_.takeSecondsBehind())
             latencies_.add(Latencies::Kind::kBehind, *seconds);
         if (!busy && settling_ == 0) {
-            if (view_.takeReplaced()) giveMemoryBack();
+            // Not between a frame that is gone and the first picture of the next one.
+            if (!view_.busy()) settle();
             return window_->skip();
         }
         draw();
         latencies_.add(view_.takeKind(), secondsSince(before_));
+    }
+
+    void settle() {
+        view_.settle();
+        if (view_.takeReplaced()) giveMemoryBack();
     }
 
     void draw() {

@@ -46,8 +46,8 @@ void Workshop::order(Order order) {
     orderedAt_ = Clock::now();
     Delivery empty;
     // A context to measure fields on is needed in any case.
-    empty.frame = std::make_shared<SceneFrame>(contexts_.take());
-    if (order.splitView) empty.splitFrame = std::make_shared<SceneFrame>(contexts_.take());
+    empty.frame = std::make_shared<SceneFrame>(contexts_.take(), images_);
+    if (order.splitView) empty.splitFrame = std::make_shared<SceneFrame>(contexts_.take(), images_);
     background_.ask([this, at = orderedAt_, order = std::move(order),
                      empty = std::move(empty)](const Checkpoint& checkpoint) mutable {
         Delivery delivery = make(order, std::move(empty), checkpoint);

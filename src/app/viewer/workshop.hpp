@@ -61,6 +61,8 @@ class Workshop {
     /// there.
     std::optional<Delivery> take() { return background_.take(); }
     [[nodiscard]] bool busy() const { return background_.busy(); }
+    /// Lets go of images that frames no longer need. When there is nothing to do.
+    void settle() { images_->settle(); }
     /// Since the order in hand.
     [[nodiscard]] double seconds() const;
 
@@ -69,6 +71,7 @@ class Workshop {
     Delivery make(Order& order, Delivery delivery, const Checkpoint& checkpoint);
 
     ContextPool contexts_;
+    std::shared_ptr<ImageStore> images_ = ImageStore::create();
     FieldProber prober_;  ///< the thread's, and so is
     SceneCache cache_;
     Clock::time_point orderedAt_{};

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Images that go from one frame to the next: none is made anew, no more are kept than are of use,
+// and what is in them is not seen.
+#include "gpu/image_store.hpp"
+#include "gpu_support.hpp"
+#include "mesh/primitives.hpp"
+
+namespace vitrine {
+namespace {
+
+constexpr size_t kBytes = size_t{64} * 32 * 16;  // of image()
+
+class ImagesTest : public test::GpuTest {
+  protected:
+    [[nodiscard]] Texture image() const { return store->take(64, 32, TexelFormat::kRgba32f); }
+    [[nodiscard]] std::vector<Texture> images(size_t count) const {
+        std::vector<Texture> list(count);
+        for (Texture& t : list) t = image();
+        return list;
+    }
+    std::shared_ptr<ImageStore> store = ImageStore::create();
+};
+
+TEST_F(ImagesTest, ComeAgainWhereTheyFit) {
+    Texture first = image();
+    const unsigned id = first.id();
+    EXPECT_NE(image().id(), id) << "it is in use";
+    first = {};
+    EXPECT_NE(store->take(32, 32, TexelFormat::kRgba32f).id(), id);
+    EXPECT_NE(store->take(64, 16, TexelFormat::kRgba32f).id(), id);
+    EXPECT_NE(store->take(64, 32, TexelFormat::kRgba32ui).id(), id);
+    Texture moved = image();
+    EXPECT_EQ(moved.id(), id);
+    first = std::move(moved);
+    EXPECT_EQ(first.id(), id);
+    EXPECT_EQ(store->bytesInUse(), kBytes);
+    first = {};
+    EXPECT_EQ(store->bytesInUse(), 0U);
+}
+
+TEST_F(ImagesTest, AreKeptForHalfAsMuchAgainAtMost) {
+    std::vector<Texture> whole = images(8);
+    EXPECT_EQ(store->bytesInUse(), 8 * kBytes);
+    whole.clear();
+    EXPECT_EQ(store->bytesKept(), 8 * kBytes) << "the whole set, while a coarse one is used";
+    // Coarse ones of several sizes, one after the other: 16 by 8 pixels to 64 by 32.
+    for (const int part : {1, 2, 3, 4}) {
+        std::vector<Texture> coarse;
+        for (int i = 0; i < 8; ++i)
+            coarse.push_back(store->take(16 * part, 8 * part, TexelFormat::kRgba32f));
+        EXPECT_LE(store->bytesInUse() + store->bytesKept(), 12 * kBytes);
+    }
+    store->settle();
+    EXPECT_EQ(store->bytesKept(), 0U) << "nothing is in use";
+    whole = images(8);
+    {
+        const std::vector<Texture> more = images(8);
+        EXPECT_EQ(store->bytesInUse(), 16 * kBytes);
+    }
+    EXPECT_EQ(store->bytesKept(), 8 * kBytes);
+    store->settle();
+    EXPECT_EQ(store->bytesKept(), 4 * kBytes);
+}
+
+TEST_F(ImagesTest, OutliveTheirStore) {
+    const Texture last = image();
+    store.reset();
+    EXPECT_EQ(last.width(), 64);
+}
+
+/// Mesh, field, mirror and glass through a lens that is a filter.
+LoadedScene things() {
+    test::TestScene made;
+    Material mirror, paint, clear;
+    mirror.metallic = 1;
+    mirror.roughness = 0.05f;
+    paint.baseColor.rgb = {0.7f, 0.3f, 0.2f};
+    clear.transmission = 1;
+    clear.roughness = 0;
+    const int ball = made.addField(
+        "// bounds[-1, -1, -1,  1, 1, 1]\nfloat sdf(vec3 p) { return length(p) - 0.9; }\n");
+    made.add(made.addMesh(makePlane(8, 8)), made.addMaterial(paint)).at = {0, -0.8f, 0};
+    made.add(made.addMesh(makeTorus(0.6f, 0.25f, 24, 12)), made.addMaterial(mirror)).at = {1, 0, 0};
+    made.add(ball, made.addMaterial(clear)).at = {-0.7f, 0.2f, 0.4f};
+    made.addSun({-0.4f, -1, -0.5f}, 2);
+    made.setEnvironment(0.4f);
+    return made.load();
+}
+
+FrameRequest request(int width, int height, View view) {
+    FrameRequest r;
+    r.width = width;
+    r.height = height;
+    r.camera.eye = {0.5f, 1.5f, 4};
+    r.camera.fov = 45;
+    r.camera.fStop = 0.05f;
+    r.camera.focusDistance = 3;
+    r.camera.lens = LensBlur::kFilter;
+    r.samples = 2;
+    r.view = view;
+    r.layers = view == View::kColor;
+    return r;
+}
+
+std::vector<uint8_t> draw(Frame& frame, const FrameRequest& r) {
+    frame.begin(r);
+    for (int i = 0; i < r.samples; ++i) frame.drawSample();
+    return frame.picture().pixels;
+}
+
+/// Not a number, and records of what does not exist.
+void spoil(ImageStore& store, int width, int height) {
+    std::vector<Texture> list;
+    for (int i = 0; i < 24; ++i)
+        for (const TexelFormat format : {TexelFormat::kRgba32f, TexelFormat::kRgba32ui}) {
+            list.push_back(store.take(width, height, format));
+            list.back().write(std::vector<std::byte>(list.back().bytes(), std::byte{0xff}));
+        }
+}
+
+/// As in a window, where frames come and go and the picture is coarse while it moves.
+TEST_F(ImagesTest, ShowNothingOfWhatWasInThem) {
+    const LoadedScene loaded = things();
+    for (const bool counters : {false, true}) {
+        Frame own(context(), loaded.packed, Backend::kFragment, counters);
+        std::optional<Frame> frame;
+        for (const View view : {View::kColor, View::kNormal, View::kReflection})
+            for (const int part : {1, 2, 1}) {
+                SCOPED_TRACE(fmt::format("{} 1/{} counters {}",
+                                         viewNames()[static_cast<size_t>(view)], part, counters));
+                const int width = 96 / part, height = 64 / part;
+                // The picture, the atlas of the filter, the tiles of it (lens_filter.cpp).
+                spoil(*store, width, height);
+                spoil(*store, width + width / 2, height);
+                spoil(*store, width / 16, height / 16);
+                if (part == 1)
+                    frame.emplace(context(), loaded.packed, Backend::kFragment, counters, store);
+                const FrameRequest r = request(width, height, view);
+                const std::vector<uint8_t> wanted = draw(own, r);
+                EXPECT_EQ(draw(*frame, r), wanted);
+                EXPECT_GT(*std::max_element(wanted.begin(), wanted.end()), 60);
+            }
+    }
+}
+
+}  // namespace
+}  // namespace vitrine
