@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Images that go from one frame to the next: none is made anew, no more are kept than are of use,
 // and what is in them is not seen.
+#include <epoxy/gl.h>
+
+#include <bit>
+
 #include "gpu/image_store.hpp"
 #include "gpu_support.hpp"
 #include "mesh/primitives.hpp"
@@ -66,6 +70,29 @@ TEST_F(ImagesTest, OutliveTheirStore) {
     const Texture last = image();
     store.reset();
     EXPECT_EQ(last.width(), 64);
+}
+
+/// Of a size for which llvmpipe would compile every program once more (texture.cpp).
+bool isUnusual(const TexelBuffer& buffer) {
+    GLint size = 0;
+    glBindTexture(GL_TEXTURE_BUFFER, buffer.id());
+    glGetTexLevelParameteriv(GL_TEXTURE_BUFFER, 0, GL_TEXTURE_BUFFER_SIZE, &size);
+    EXPECT_GT(size, 0);
+    return std::has_single_bit(static_cast<unsigned>(size)) || (size >> 8 & 0xff) == 0;
+}
+
+TEST_F(ImagesTest, AndBuffersAreOfUsualSizes) {
+    for (const size_t texels : {0, 1, 3, 16, 17, 64, 512, 513, 4096, 4097, 4112, 8192, 16384}) {
+        SCOPED_TRACE(texels);
+        const std::vector<glm::vec4> data(texels, glm::vec4(1, 2, 3, 4));
+        TexelBuffer buffer(TexelFormat::kRgba32f);
+        buffer.upload(std::as_bytes(std::span(data)));
+        EXPECT_FALSE(isUnusual(buffer));
+        buffer.upload(std::as_bytes(std::span(data)), 16);
+        EXPECT_FALSE(isUnusual(buffer));
+        buffer.replaceEnd(texels, std::as_bytes(std::span(data)));
+        EXPECT_FALSE(isUnusual(buffer));
+    }
 }
 
 /// Mesh, field, mirror and glass through a lens that is a filter.

@@ -9,7 +9,8 @@ namespace {
 /// Samples lie in rows of an image this wide. A batch bounds the memory for parameters, and the
 /// time of one draw: drivers kill those that take seconds.
 constexpr int kImageWidth = 256;
-constexpr size_t kBatch = 64 * kImageWidth;
+constexpr int kImageHeight = 64;
+constexpr size_t kBatch = size_t{kImageHeight} * kImageWidth;
 /// The place, the tetrahedron, and two along the gradient (shaders/pass/probe_field.glsl).
 constexpr int kEvaluations = 7;
 
@@ -34,11 +35,12 @@ std::vector<FieldValue> FieldProbe::ask(const FieldSamples& samples) {
 void FieldProbe::askBatch(const FieldSamples& samples, size_t first, size_t count,
                           std::vector<FieldValue>& values) {
     const int height = static_cast<int>((count + kImageWidth - 1) / kImageWidth);
-    if (height != places_.height()) {
+    // All of one size: llvmpipe compiles anew for another kind of size.
+    if (!places_.valid()) {
         for (Texture* t : {&places_, &steps_, &values_, &gradients_})
-            *t = Texture(kImageWidth, height, TexelFormat::kRgba32f);
+            *t = Texture(kImageWidth, kImageHeight, TexelFormat::kRgba32f);
     }
-    std::vector<glm::vec4> places(static_cast<size_t>(kImageWidth) * height, glm::vec4(0));
+    std::vector<glm::vec4> places(kBatch, glm::vec4(0));
     std::vector<glm::vec4> steps(places.size(), glm::vec4(1, 0, 0, 0));
     for (size_t i = 0; i < count; ++i) {
         const FieldSamples::Place& place = samples.places[first + i];
@@ -51,7 +53,8 @@ void FieldProbe::askBatch(const FieldSamples& samples, size_t first, size_t coun
     const std::span parameters(samples.parameters);
     context_.scene.tables.upload(std::as_bytes(
         parameters.subspan(first * samples.settingSize, count * samples.settingSize)));
-    context_.block.image = {kImageWidth, height, 0, 0};
+    context_.block.image = {kImageWidth, kImageHeight, 0, 0};
+    context_.rows = {0, height};
     context_.run("probe_field", {{{"samplePlaces", &places_}, {"sampleSteps", &steps_}},
                                  {},
                                  {{"outValue", &values_}, {"outGradient", &gradients_}}});

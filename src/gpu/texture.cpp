@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <utility>
 
@@ -32,6 +33,14 @@ FormatInfo formatInfo(TexelFormat format) {
             return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
     }
     return {};
+}
+
+/// llvmpipe compiles a program once more for a buffer whose size in bytes is a power of two, and
+/// for one whose size has no bit set in its second byte, which it takes for a number of mipmaps. So
+/// sizes are neither.
+size_t usualSize(size_t bytes) {
+    if ((bytes & 0xff00) == 0) bytes += 0x100;
+    return std::has_single_bit(bytes) ? bytes + 16 : bytes;
 }
 
 template <class T>
@@ -276,12 +285,12 @@ void TexelBuffer::upload(std::span<const std::byte> bytes, size_t spare) {
     static constexpr std::byte kOneTexel[16] = {};
     if (bytes.empty()) bytes = kOneTexel;  // a buffer texture of size 0 is incomplete
     assert(bytes.size() % 16 == 0);
-    size_ = bytes.size() + spare * 16;
+    size_ = usualSize(bytes.size() + spare * 16);
     checkSize(size_);
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
     glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(size_),
-                 spare == 0 ? bytes.data() : nullptr, GL_STATIC_DRAW);
-    if (spare != 0)
+                 size_ == bytes.size() ? bytes.data() : nullptr, GL_STATIC_DRAW);
+    if (size_ != bytes.size())
         glBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
     checkGl("uploading the scene");
     attach();
@@ -291,19 +300,19 @@ void TexelBuffer::replaceEnd(size_t texels, std::span<const std::byte> bytes) {
     assert(bytes.size() % 16 == 0);
     const size_t kept = texels * 16, needed = kept + bytes.size();
     if (needed > size_) {
-        const size_t roomy = needed + bytes.size() / 4;  // ends differ a little in length
+        // Ends differ a little in length.
+        const size_t roomy = usualSize((needed + bytes.size() / 4) / 16 * 16);
         checkSize(roomy);
         unsigned larger = 0;
         glGenBuffers(1, &larger);
         glBindBuffer(GL_COPY_WRITE_BUFFER, larger);
-        glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(roomy / 16 * 16), nullptr,
-                     GL_STATIC_DRAW);
+        glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(roomy), nullptr, GL_STATIC_DRAW);
         glBindBuffer(GL_COPY_READ_BUFFER, buffer_);
         glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
                             static_cast<GLsizeiptr>(kept));
         glDeleteBuffers(1, &buffer_);
         buffer_ = larger;
-        size_ = roomy / 16 * 16;
+        size_ = roomy;
         attach();
     }
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
