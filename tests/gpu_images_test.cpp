@@ -161,7 +161,8 @@ TEST_F(ImagesTest, ShowNothingOfWhatWasInThem) {
                 spoil(*store, width + width / 2, height);
                 spoil(*store, width / 16, height / 16);
                 if (part == 1)
-                    frame.emplace(context(), loaded.packed, Backend::kFragment, counters, store);
+                    frame.emplace(context(), loaded.packed, Backend::kFragment, counters,
+                                  FrameOptions{store});
                 const FrameRequest r = request(width, height, view);
                 const std::vector<uint8_t> wanted = draw(own, r);
                 EXPECT_EQ(draw(*frame, r), wanted);

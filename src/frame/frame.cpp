@@ -21,10 +21,11 @@ constexpr int kQuickProbes = 3;
 }  // namespace
 
 Frame::Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters,
-             std::shared_ptr<ImageStore> images)
+             FrameOptions options)
     : context_(context.info(),
-               ProgramSet(context.info(), backend, scene.shaders, featuresOf(scene, counters)),
-               counters, std::move(images)),
+               ProgramSet(context.info(), backend, scene.shaders,
+                          featuresOf(scene, counters, options.sketch)),
+               counters, std::move(options.images)),
       rasterPossible_(context.info().clipControl),
       maxSide_(context.info().maxTextureSize) {
     context_.scene.upload(scene);

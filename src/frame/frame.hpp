@@ -58,12 +58,17 @@ struct FrameStatistics {
     std::map<std::string, double> secondsByPass;
 };
 
+struct FrameOptions {
+    /// Where frames that come and go find their images; nullptr: they make their own.
+    std::shared_ptr<ImageStore> images;
+    bool sketch = false;  ///< see ProgramFeatures
+};
+
 class Frame {
   public:
     /// `counters`: count rays, nodes and loops; needed by some views and for statistics.
-    /// `images`: where frames that come and go find their images; nullptr: they make their own.
     Frame(const Context& context, const PackedScene& scene, Backend backend, bool counters,
-          std::shared_ptr<ImageStore> images = nullptr);
+          FrameOptions options = {});
 
     /// Whether update() leaves the programs as they are; else all are compiled anew.
     [[nodiscard]] bool covers(const PackedMoment& moment) const {

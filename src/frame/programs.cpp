@@ -17,6 +17,10 @@ Backend chooseBackend(const GpuInfo& gpu, Backend wanted) {
     return gpu.compute && !gpu.software ? Backend::kCompute : Backend::kFragment;
 }
 
+bool isSketched(const std::string& pass, const ProgramFeatures& features) {
+    return features.sketch && (pass == "light" || pass == "bounce");
+}
+
 /// The log with places in our own files, for whoever writes shaders here.
 std::string describeOwnError(const ShaderError& error) {
     std::string text = error.what();
@@ -50,11 +54,12 @@ const PassShader& findPass(const std::string& name) {
     return *found;
 }
 
-ProgramFeatures featuresOf(const PackedScene& scene, bool counters) {
+ProgramFeatures featuresOf(const PackedScene& scene, bool counters, bool sketch) {
     ProgramFeatures features;
     features.meshes = scene.hasMeshes;
     features.fields = scene.hasFields;
     features.counters = counters;
+    features.sketch = sketch;
     features.textures = scene.textures.any();
     features.layers = scene.hasLayers;
     features.subsurface = scene.hasSubsurface;
@@ -77,6 +82,7 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
     // What is drawn over itself cannot count in the same run as it finds.
     const bool counts = pass == "march_counters" || (features.counters && pass != "march");
     key.defines["COUNTERS"] = traces && counts ? 1 : 0;
+    const bool sketched = isSketched(pass, features);
     key.defines["HAS_TEXTURES"] = features.textures ? 1 : 0;
     key.defines["HAS_LAYERS"] = features.layers ? 1 : 0;
     key.defines["HAS_TRANSMISSION"] = features.transmission ? 1 : 0;
@@ -89,12 +95,19 @@ ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, Sh
     key.defines["HAS_TANGENTS"] = features.textures && features.tangents ? 1 : 0;
     if (traces) {
         key.defines["HAS_CULLING"] = features.culling ? 1 : 0;
-        key.defines["HAS_CONES"] = pass == "light" && features.cones ? 1 : 0;
+        key.defines["HAS_CONES"] = pass == "light" && features.cones && !sketched ? 1 : 0;
         const bool meshes = features.meshes && pass != "visibility_fields";
         key.defines["HAS_MESHES"] = meshes ? 1 : 0;
-        key.defines["HAS_FIELDS"] = features.fields ? 1 : 0;
+        key.defines["HAS_FIELDS"] = features.fields && !sketched ? 1 : 0;
     }
     return key;
+}
+
+GeneratedIncludes includesOf(const std::string& pass, const ProgramFeatures& features,
+                             const GeneratedShaders& shaders) {
+    GeneratedIncludes includes = shaders.includes;
+    if (isSketched(pass, features)) includes["generated/field.glsl"].clear();
+    return includes;
 }
 
 ProgramSet::ProgramSet(const GpuInfo& gpu, Backend backend, GeneratedShaders shaders,
@@ -135,10 +148,11 @@ const Program& ProgramSet::get(const std::string& pass, int onlyField) {
     ShaderKey key = shaderKey(pass, features_,
                               compute ? ShaderStage::kCompute : ShaderStage::kFragment, dialect);
     if (onlyField != kAllFields) key.defines["ONLY_FIELD"] = onlyField;
+    const GeneratedIncludes includes = includesOf(pass, features_, shaders_);
     try {
-        Program program = raster    ? Program::raster(key, shaders_.includes)
-                          : compute ? Program::compute(key, shaders_.includes)
-                                    : Program::fragment(key, shaders_.includes);
+        Program program = raster    ? Program::raster(key, includes)
+                          : compute ? Program::compute(key, includes)
+                                    : Program::fragment(key, includes);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         compileSeconds_ += elapsed.count();
         return programs_[name] = std::move(program);

@@ -33,13 +33,20 @@ struct ProgramFeatures {
     bool vertexExtras = false;  ///< second texture coordinates or colours of vertices
     bool tangents = false;
     bool cones = false;  ///< shadow rays mind what they pass
+    /// Fields are seen, but by no light and in no mirror: none of the long programs has the text of
+    /// a field in it, and all but the first hits is compiled already when a field has changed.
+    bool sketch = false;
     bool operator==(const ProgramFeatures&) const = default;
 };
-ProgramFeatures featuresOf(const PackedScene& scene, bool counters);
+ProgramFeatures featuresOf(const PackedScene& scene, bool counters, bool sketch = false);
 
 /// A pass's shader under the features that concern it, for any stage and dialect.
 ShaderKey shaderKey(const std::string& pass, const ProgramFeatures& features, ShaderStage stage,
                     Dialect dialect);
+/// The generated text for this pass: drivers know a program again by all of its text, also by that
+/// which is switched off, so a sketch has none of what it does not need.
+GeneratedIncludes includesOf(const std::string& pass, const ProgramFeatures& features,
+                             const GeneratedShaders& shaders);
 /// Names of the passes' shaders, whether a pass traces rays (and so has variants), and whether it
 /// draws triangles instead of covering the picture.
 struct PassShader {

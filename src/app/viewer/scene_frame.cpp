@@ -28,18 +28,20 @@ SceneFrame::~SceneFrame() {
 }
 
 void SceneFrame::prepare(const LoadedScene& scene, const PackedMoment& moment, const Wish& wish,
-                         const Checkpoint& checkpoint) {
+                         Extent extent, const Checkpoint& checkpoint) {
     const ContextUse use(*context_);
     try {
         kind_ = kindOf(wish.view);
         counts_ = wish.counting || kind_ == Kind::kCounters;
-        frame_ = std::make_unique<Frame>(*context_, scene.packed, Backend::kAuto, counts_, images_);
+        extent_ = extent;
+        frame_ = std::make_unique<Frame>(*context_, scene.packed, Backend::kAuto, counts_,
+                                         FrameOptions{images_, isSketch()});
         frame_->update(moment);
         frame_->callBeforeCompiling(checkpoint);
         compile(wish, moment);
         // A camera that walks asks what it would run into (surroundings.hpp).
         const QueryRay nowhere{wish.camera.eye, 0, {0, 1, 0}, 0};
-        if (scene.packed.hasFields) (void)frame_->closest(std::span(&nowhere, 1));
+        if (scene.packed.hasFields && !isSketch()) (void)frame_->closest(std::span(&nowhere, 1));
         frame_->callBeforeCompiling({});
     } catch (const InputError&) {
         // One program reports one snippet's mistakes at best: ask each snippet by itself.
@@ -61,6 +63,7 @@ void SceneFrame::compile(const Wish& wish, const PackedMoment& moment) {
     still.moving = false;
     whole.camera = overview(wish.camera, moment.worldBox);
     draw(moving, FieldFinder::kFaster);
+    if (isSketch()) return;
     draw(still, FieldFinder::kFaster);
     draw(whole, FieldFinder::kBoxes);
     // Where fields crowd, and then only, they are found by the tree (frame/first_hits.cpp).

@@ -20,10 +20,15 @@ class SceneFrame {
     SceneFrame(const SceneFrame&) = delete;
     SceneFrame& operator=(const SceneFrame&) = delete;
 
+    enum class Extent {
+        kWhole,
+        kSketch,  ///< what is there soon after a field has changed: see ProgramFeatures
+    };
     /// Uploads and compiles all that is needed to draw `wish`, moving and at rest, and from where
     /// the whole scene is seen. Throws InputError if a snippet does not compile.
     void prepare(const LoadedScene& scene, const PackedMoment& moment, const Wish& wish,
-                 const Checkpoint& checkpoint);
+                 Extent extent, const Checkpoint& checkpoint);
+    [[nodiscard]] bool isSketch() const { return extent_ == Extent::kSketch; }
     /// Whether all is there for this view: it is for those that show the same kind of thing as the
     /// wish. Light takes other programs than records do, and counting costs time.
     [[nodiscard]] bool canShow(View view, bool counting) const {
@@ -49,6 +54,7 @@ class SceneFrame {
     std::shared_ptr<ImageStore> images_;
     std::unique_ptr<Frame> frame_;
     Kind kind_ = Kind::kLight;
+    Extent extent_ = Extent::kWhole;
     bool counts_ = false;
 };
 

@@ -9,9 +9,9 @@
 namespace vitrine {
 namespace {
 
-constexpr double kRestSeconds = 0.15;  // of quiet until the fine picture begins
-constexpr double kWatchSeconds = 0.1;  // between looks at the files
-constexpr double kQuietSeconds = 0.3;  // until it is said that something is being made
+constexpr double kRestSeconds = 0.15;   // of quiet until the fine picture begins
+constexpr double kWatchSeconds = 0.05;  // between looks at the files
+constexpr double kQuietSeconds = 0.3;   // until it is said that something is being made
 constexpr float kFlightSeconds = 0.7f;
 
 double secondsSince(std::chrono::steady_clock::time_point then) {
@@ -52,6 +52,7 @@ void SceneView::step(float elapsed, glm::vec2 pictureSize) {
     if (pilot.held() && scene.movesAlone(camera_)) timeline.playing = false;
     if (timeline.advance(elapsed)) showMoment(Latencies::Kind::kPlay);
     follow();
+    if (stage.samplesDrawn() > 0) workshop_.learnSketch(scene.shared(), moment_, wish_);
 }
 
 void SceneView::draw(int width, int height) {
@@ -198,12 +199,13 @@ void SceneView::order(std::optional<LoadRequest> load, std::optional<std::string
     order.wish.counting = counting_;
     order.wish.camera = pilot.camera;
     order.wish.time = reading_ && reading_->otherFile ? 0 : timeline.time;
+    order.afterSketch = stage.isSketch();
     if (!reading_) {
         order.scene = scene.shared();
         order.moment = moment_;
         order.splitMoment = plainMoment_;
     }
-    if (reading_ || !stage.canShow(view_, counting_) || !stage.covers(moment_)) order.view = view_;
+    if (reading_ || needsFrame()) order.view = view_;
     if (split.isOpen() && (reading_ || split.needsFrame() || !split.covers(splitMoment())))
         order.splitView = split.view();
     workshop_.order(std::move(order));
@@ -211,14 +213,20 @@ void SceneView::order(std::optional<LoadRequest> load, std::optional<std::string
 
 void SceneView::orderMissingFrames() {
     // Those of a scene that is being read come with it.
-    if (!stage.canShow(view_, counting_) || !stage.covers(moment_) || split.needsFrame() ||
-        !split.covers(splitMoment()))
-        order({});
+    if (needsFrame() || split.needsFrame() || !split.covers(splitMoment())) order({});
+}
+
+bool SceneView::needsFrame() const {
+    return !stage.canShow(view_, counting_) || !stage.covers(moment_) || stage.isSketch();
 }
 
 void SceneView::accept(Workshop::Delivery delivery) {
     window_.wake();
-    if (!delivery.load) return showDelivered(delivery);
+    if (!delivery.load) {
+        // A whole frame may come late, when the scene is another one already.
+        if (delivery.scene == scene.shared()) showDelivered(delivery);
+        return;
+    }
     const LoadRequest request = delivery.load->request;
     const bool first = stage.empty();
     if (reading_ && reading_->number == request.number) reading_.reset();
@@ -247,8 +255,7 @@ void SceneView::accept(Workshop::Delivery delivery) {
 }
 
 void SceneView::showDelivered(Workshop::Delivery& delivery) {
-    secondsBehind_ = delivery.seconds;
-    replaced_ = true;
+    if (delivery.load || !stage.isSketch()) secondsBehind_ = delivery.seconds;
     if (delivery.frame != nullptr) stage.setFrame(std::move(delivery.frame));
     if (delivery.splitFrame != nullptr) split.setFrame(std::move(delivery.splitFrame));
     showMoment(Latencies::Kind::kReload);
@@ -263,7 +270,9 @@ void SceneView::showMoment(Latencies::Kind why) {
         ++moments_;
         if (stage.covers(moment_)) stage.update(moment_);
         if (split.covers(splitMoment())) split.update(splitMoment());
-        if (!workshop_.busy()) orderMissingFrames();
+        // What is still being made may be of the scene before, not of one that has just come.
+        if (!workshop_.busy() || (why == Latencies::Kind::kReload && !reading_))
+            orderMissingFrames();
         pilot.follow(sceneCamera(), why != Latencies::Kind::kPlay);
     } catch (const InputError& error) {
         scene.report(error);

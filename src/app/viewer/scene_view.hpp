@@ -48,10 +48,8 @@ class SceneView {
     std::optional<Opened> takeOpened() { return std::exchange(opened_, {}); }
     /// What is being made in the background, a sentence; "": nothing, or not for long.
     [[nodiscard]] std::string pending() const;
-    /// When nothing is left to do.
-    void settle() { workshop_.settle(); }
-    /// Whether frames have been replaced by others, once.
-    bool takeReplaced() { return std::exchange(replaced_, false); }
+    /// When nothing is left to do. Whether much memory has become free.
+    bool settle() { return workshop_.settle(); }
     /// How long it took from noticing a change to the picture of it, once.
     std::optional<double> takeSecondsBehind() { return std::exchange(secondsBehind_, {}); }
 
@@ -126,6 +124,7 @@ class SceneView {
     void accept(Workshop::Delivery delivery);
     void showDelivered(Workshop::Delivery& delivery);
     void orderMissingFrames();
+    [[nodiscard]] bool needsFrame() const;
     void lookThrough(const Camera& camera, size_t index, float seconds);
     void showMoment(Latencies::Kind why);
     [[nodiscard]] Stage::Wish plainWish() const;
@@ -142,7 +141,6 @@ class SceneView {
     PackedMoment moment_;                      ///< what the stage shows, or will
     View view_ = View::kColor;                 ///< that is asked for
     bool counting_ = false;
-    bool replaced_ = false;
     View shown_ = View::kColor;                 ///< the last one for which the stage had a frame
     std::optional<LoadRequest> reading_;        ///< what was ordered and is not there
     std::optional<std::string> readingCamera_;  ///< to be shown then

@@ -59,7 +59,7 @@ void Stage::draw(const Wish& asked, double budgetSeconds) {
     const ContextUse use(frame_->context());
     Frame& frame = frame_->frame();
     if (fresh) begin(wish);
-    const int samples = wish.moving ? 1 : wish.samples;
+    const int samples = wish.moving || isSketch() ? 1 : wish.samples;
     finished_ = samplesDrawn_ >= samples;
     if (finished_) return;
     const auto start = std::chrono::steady_clock::now();

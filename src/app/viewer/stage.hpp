@@ -20,6 +20,8 @@ class Stage {
     [[nodiscard]] bool canShow(View view, bool counting = false) const {
         return frame_ != nullptr && frame_->canShow(view, counting);
     }
+    /// Whether the frame is one that wants to be replaced by a whole one.
+    [[nodiscard]] bool isSketch() const { return frame_ != nullptr && frame_->isSketch(); }
     /// Whether these numbers can be shown without another frame.
     [[nodiscard]] bool covers(const PackedMoment& moment) const;
     /// The same scene with other numbers.

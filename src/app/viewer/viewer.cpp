@@ -34,7 +34,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLongestWait = 0.1;  // s, between looks at the files
+constexpr double kLongestWait = 0.05;  // s, between looks at the files
 // The interface answers an event, and learns the size of a new text, within so many frames.
 constexpr int kSettlingFrames = 3;
 constexpr float kPanelWidth = 340;  // ImGui units
@@ -157,16 +157,11 @@ class Viewer {
             latencies_.add(Latencies::Kind::kBehind, *seconds);
         if (!busy && settling_ == 0) {
             // Not between a frame that is gone and the first picture of the next one.
-            if (!view_.busy()) settle();
+            if (!view_.busy() && view_.settle()) giveMemoryBack();
             return window_->skip();
         }
         draw();
         latencies_.add(view_.takeKind(), secondsSince(before_));
-    }
-
-    void settle() {
-        view_.settle();
-        if (view_.takeReplaced()) giveMemoryBack();
     }
 
     void draw() {
