@@ -147,9 +147,11 @@ pixel() {
     import -window root -crop "1x1+$1+$2" -depth 8 txt:- |
         sed -n 's/.*(\([0-9]*\),\([0-9]*\),\([0-9]*\).*/\1 \2 \3/p' | tail -1
 }
-# Drags with a button from a point, five times by an offset.
+# Drags with a button from a point, five times by an offset. As slowly as a hand: ImGui 1.86 asks
+# once a frame where the mouse is, and a press within a long frame is one where the mouse went.
 drag() {
     xdotool mousemove "$2" "$3" mousedown "$1"
+    sleep 0.15
     for _ in 1 2 3 4 5; do xdotool mousemove_relative -- "$4" "$5"; sleep 0.03; done
     xdotool mouseup "$1"
 }

@@ -224,8 +224,9 @@ void SceneView::accept(Workshop::Delivery delivery) {
     window_.wake();
     if (!delivery.load) {
         // A whole frame may come late, when the scene is another one already.
-        if (delivery.scene == scene.shared()) showDelivered(delivery);
-        return;
+        if (delivery.scene != scene.shared()) return;
+        if (delivery.problems.hasErrors()) return scene.report(InputError(delivery.problems));
+        return showDelivered(delivery);
     }
     const LoadRequest request = delivery.load->request;
     const bool first = stage.empty();

@@ -127,9 +127,9 @@ void Workshop::remember(const Delivery& delivery) {
 
 void Workshop::learnSketch(const std::shared_ptr<const LoadedScene>& scene,
                            const PackedMoment& moment, const Wish& wish) {
-    if (busy() || idle_ || !canBeSketched(*scene, wish) || knowsSketch(compiled_, *scene)) return;
-    if (learntFrom_.lock() == scene) return;
+    if (busy() || idle_ || learntFrom_.lock() == scene || !canBeSketched(*scene, wish)) return;
     learntFrom_ = scene;
+    if (knowsSketch(compiled_, *scene)) return;
     idle_ = true;
     auto frame = std::make_shared<SceneFrame>(contexts_.take(), images_);
     second_.ask([scene, moment, wish, frame = std::move(frame)](const Checkpoint& checkpoint) {
