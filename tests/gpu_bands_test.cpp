@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A sample in many small bands is, to the last bit, the sample drawn at once.
 #include "gpu_support.hpp"
-#include "mesh/primitives.hpp"
 #include "pack/hit_record.hpp"
 
 namespace vitrine {
@@ -10,26 +9,6 @@ namespace {
 constexpr int kWidth = 96, kHeight = 64, kSamples = 3;
 
 class BandsTest : public test::GpuTest {};
-
-/// Mesh, field, mirror and, if asked for, glass, which follows two sets of paths.
-LoadedScene things(bool glass) {
-    test::TestScene made;
-    Material mirror, paint, clear;
-    mirror.metallic = 1;
-    mirror.roughness = 0.05f;
-    paint.baseColor.rgb = {0.7f, 0.3f, 0.2f};
-    clear.transmission = 1;
-    clear.roughness = 0;
-    const int ball = made.addField(
-        "// bounds[-1, -1, -1,  1, 1, 1]\nfloat sdf(vec3 p) { return length(p) - 0.9; }\n");
-    made.add(made.addMesh(makePlane(8, 8)), made.addMaterial(paint)).at = {0, -0.8f, 0};
-    made.add(made.addMesh(makeTorus(0.6f, 0.25f, 24, 12)), made.addMaterial(mirror)).at = {1, 0, 0};
-    made.add(ball, made.addMaterial(glass ? clear : mirror)).at = {-0.7f, 0.2f, 0.4f};
-    made.addSun({-0.4f, -1, -0.5f}, 2);
-    made.setEnvironment(0.4f);
-    made.scene.cameras[0].eye = {0.5f, 1.5f, 4};
-    return made.load();
-}
 
 FrameRequest request(View view, int bounces, Primary primary) {
     FrameRequest r;
@@ -84,7 +63,7 @@ void expectSame(Frame& frame, const FrameRequest& r) {
 
 TEST_F(BandsTest, MakeTheSamePicture) {
     for (const bool glass : {false, true}) {
-        const LoadedScene loaded = things(glass);
+        const LoadedScene loaded = test::mixedScene(glass);
         for (const bool counters : {false, true}) {
             Frame frame(context(), loaded.packed, Backend::kFragment, counters);
             for (const Primary primary : {Primary::kRaster, Primary::kTrace})
@@ -98,7 +77,7 @@ TEST_F(BandsTest, MakeTheSamePicture) {
 }
 
 TEST_F(BandsTest, MakeTheSameViews) {
-    const LoadedScene loaded = things(true);
+    const LoadedScene loaded = test::mixedScene(true);
     Frame frame(context(), loaded.packed, Backend::kFragment, true);
     for (const View view : {View::kNormal, View::kReflection, View::kShadow, View::kNodes}) {
         SCOPED_TRACE(viewNames()[static_cast<size_t>(view)]);
@@ -118,7 +97,7 @@ FrameRequest throughAFilter(int ssaa) {
 /// A lens that is a filter is worked on in bands as well, and begins anew when somebody asks what
 /// is under the cursor meanwhile.
 TEST_F(BandsTest, BlurTheSamePicture) {
-    const LoadedScene loaded = things(false);
+    const LoadedScene loaded = test::mixedScene(false);
     for (const bool counters : {false, true}) {
         Frame frame(context(), loaded.packed, Backend::kFragment, counters);
         FrameRequest r = throughAFilter(counters ? 2 : 1);
@@ -169,7 +148,7 @@ ImageRgba8 imageOf(const Texture& picture) {
 
 /// What is done of the first sample stands at the top; below, what was there before, stretched.
 TEST_F(BandsTest, AreSeenOneByOneOverTheLastPicture) {
-    const LoadedScene loaded = things(false);
+    const LoadedScene loaded = test::mixedScene(false);
     for (const int ssaa : {1, 2}) {
         SCOPED_TRACE(ssaa);
         Frame frame(context(), loaded.packed, Backend::kFragment, false);
@@ -208,7 +187,7 @@ TEST_F(BandsTest, AreSeenOneByOneOverTheLastPicture) {
 
 /// The window asks what a camera runs into while a sample is being worked on.
 TEST_F(BandsTest, RaysAskedInBetweenChangeNothing) {
-    const LoadedScene loaded = things(false);
+    const LoadedScene loaded = test::mixedScene(false);
     for (const bool counters : {false, true}) {
         SCOPED_TRACE(counters);
         RayQuery query(context(), loaded.packed, Backend::kFragment);
@@ -237,7 +216,7 @@ TEST_F(BandsTest, RaysAskedInBetweenChangeNothing) {
 
 /// Layers are of the sharp first sample, whatever the lens.
 TEST_F(BandsTest, MakeTheSameLayers) {
-    const LoadedScene loaded = things(false);
+    const LoadedScene loaded = test::mixedScene(false);
     Frame frame(context(), loaded.packed, Backend::kFragment, true);
     for (const float fStop : {0.0f, 0.5f}) {
         SCOPED_TRACE(fStop);
@@ -256,14 +235,14 @@ TEST_F(BandsTest, MakeTheSameLayers) {
 
 TEST_F(BandsTest, ComputeDrawsAllAtOnce) {
     if (!context().info().compute) GTEST_SKIP() << "no compute shaders";
-    const LoadedScene loaded = things(false);
+    const LoadedScene loaded = test::mixedScene(false);
     Frame frame(context(), loaded.packed, Backend::kCompute, false);
     expectSame(frame, request(View::kColor, 2, Primary::kRaster));
 }
 
 /// The window shows the last picture while it works on a finer one.
 TEST_F(BandsTest, KeepTheLastPictureUntilTheNextIsWhole) {
-    const LoadedScene loaded = things(false);
+    const LoadedScene loaded = test::mixedScene(false);
     Frame frame(context(), loaded.packed, Backend::kFragment, false);
     FrameRequest coarse = request(View::kColor, 1, Primary::kRaster);
     coarse.width /= 4;

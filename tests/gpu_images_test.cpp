@@ -7,7 +7,6 @@
 
 #include "gpu/image_store.hpp"
 #include "gpu_support.hpp"
-#include "mesh/primitives.hpp"
 
 namespace vitrine {
 namespace {
@@ -95,25 +94,6 @@ TEST_F(ImagesTest, AndBuffersAreOfUsualSizes) {
     }
 }
 
-/// Mesh, field, mirror and glass through a lens that is a filter.
-LoadedScene things() {
-    test::TestScene made;
-    Material mirror, paint, clear;
-    mirror.metallic = 1;
-    mirror.roughness = 0.05f;
-    paint.baseColor.rgb = {0.7f, 0.3f, 0.2f};
-    clear.transmission = 1;
-    clear.roughness = 0;
-    const int ball = made.addField(
-        "// bounds[-1, -1, -1,  1, 1, 1]\nfloat sdf(vec3 p) { return length(p) - 0.9; }\n");
-    made.add(made.addMesh(makePlane(8, 8)), made.addMaterial(paint)).at = {0, -0.8f, 0};
-    made.add(made.addMesh(makeTorus(0.6f, 0.25f, 24, 12)), made.addMaterial(mirror)).at = {1, 0, 0};
-    made.add(ball, made.addMaterial(clear)).at = {-0.7f, 0.2f, 0.4f};
-    made.addSun({-0.4f, -1, -0.5f}, 2);
-    made.setEnvironment(0.4f);
-    return made.load();
-}
-
 FrameRequest request(int width, int height, View view) {
     FrameRequest r;
     r.width = width;
@@ -147,7 +127,7 @@ void spoil(ImageStore& store, int width, int height) {
 
 /// As in a window, where frames come and go and the picture is coarse while it moves.
 TEST_F(ImagesTest, ShowNothingOfWhatWasInThem) {
-    const LoadedScene loaded = things();
+    const LoadedScene loaded = test::mixedScene(true);
     for (const bool counters : {false, true}) {
         Frame own(context(), loaded.packed, Backend::kFragment, counters);
         std::optional<Frame> frame;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gpu_support.hpp"
 
+#include "mesh/primitives.hpp"
+
 #include <cstdlib>
 
 #include "pack/camera.hpp"
@@ -130,6 +132,25 @@ LoadedScene TestScene::load() const {
     loaded.packed = packScene(loaded.scene, loaded.assets, diagnostics);
     diagnostics.throwIfErrors();
     return loaded;
+}
+
+LoadedScene mixedScene(bool glass) {
+    TestScene made;
+    Material mirror, paint, clear;
+    mirror.metallic = 1;
+    mirror.roughness = 0.05f;
+    paint.baseColor.rgb = {0.7f, 0.3f, 0.2f};
+    clear.transmission = 1;
+    clear.roughness = 0;
+    const int ball = made.addField(
+        "// bounds[-1, -1, -1,  1, 1, 1]\nfloat sdf(vec3 p) { return length(p) - 0.9; }\n");
+    made.add(made.addMesh(makePlane(8, 8)), made.addMaterial(paint)).at = {0, -0.8f, 0};
+    made.add(made.addMesh(makeTorus(0.6f, 0.25f, 24, 12)), made.addMaterial(mirror)).at = {1, 0, 0};
+    made.add(ball, made.addMaterial(glass ? clear : mirror)).at = {-0.7f, 0.2f, 0.4f};
+    made.addSun({-0.4f, -1, -0.5f}, 2);
+    made.setEnvironment(0.4f);
+    made.scene.cameras[0].eye = {0.5f, 1.5f, 4};
+    return made.load();
 }
 
 std::vector<glm::vec3> randomDirections(std::mt19937& random, int count) {

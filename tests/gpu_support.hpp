@@ -67,6 +67,9 @@ class TestScene {
     Assets assets_;
 };
 
+/// Mesh, field, mirror and, if asked for, glass, which follows two sets of paths.
+LoadedScene mixedScene(bool glass);
+
 /// `count` points on the unit sphere, evenly distributed and at random.
 std::vector<glm::vec3> randomDirections(std::mt19937& random, int count);
 float uniform(std::mt19937& random, float low, float high);

@@ -79,8 +79,8 @@ bool ContextPool::renew() {
 Workshop::Workshop(Window& window)
     : contexts_(window),
       prober_(FieldProber::Thoroughness::kNeeded, &window.context()),
-      first_(&Window::ring),
-      second_(&Window::ring) {}
+      changes_(&Window::ring),
+      wholes_(&Window::ring) {}
 
 double Workshop::seconds() const {
     return std::chrono::duration<double>(Clock::now() - orderedAt_).count();
@@ -93,8 +93,8 @@ void Workshop::order(Order order) {
     empty.frame = std::make_shared<SceneFrame>(contexts_.take(), images_);
     if (order.splitView) empty.splitFrame = std::make_shared<SceneFrame>(contexts_.take(), images_);
     const bool second = order.afterSketch && !order.load;
-    if (second) idle_ = false;
-    (second ? second_ : first_)
+    if (second) learning_ = false;
+    (second ? wholes_ : changes_)
         .ask([this, at = orderedAt_, order = std::move(order), compiled = compiled_,
               empty = std::move(empty)](const Checkpoint& checkpoint) mutable {
             Delivery delivery = make(order, compiled, std::move(empty), checkpoint);
@@ -104,15 +104,16 @@ void Workshop::order(Order order) {
 }
 
 std::optional<Workshop::Delivery> Workshop::take() {
-    if (auto delivery = first_.take()) {
+    if (auto delivery = changes_.take()) {
         remember(*delivery);
         return delivery;
     }
-    auto delivery = second_.take();
+    auto delivery = wholes_.take();
     if (!delivery) return {};
     remember(*delivery);
-    if (std::exchange(idle_, false)) return {};
-    return delivery;
+    if (!delivery->learnt) return delivery;
+    learning_ = false;
+    return {};
 }
 
 void Workshop::remember(const Delivery& delivery) {
@@ -127,13 +128,14 @@ void Workshop::remember(const Delivery& delivery) {
 
 void Workshop::learnSketch(const std::shared_ptr<const LoadedScene>& scene,
                            const PackedMoment& moment, const Wish& wish) {
-    if (busy() || idle_ || learntFrom_.lock() == scene || !canBeSketched(*scene, wish)) return;
+    if (busy() || learning_ || learntFrom_.lock() == scene || !canBeSketched(*scene, wish)) return;
     learntFrom_ = scene;
     if (knowsSketch(compiled_, *scene)) return;
-    idle_ = true;
+    learning_ = true;
     auto frame = std::make_shared<SceneFrame>(contexts_.take(), images_);
-    second_.ask([scene, moment, wish, frame = std::move(frame)](const Checkpoint& checkpoint) {
+    wholes_.ask([scene, moment, wish, frame = std::move(frame)](const Checkpoint& checkpoint) {
         Delivery delivery;
+        delivery.learnt = true;
         try {
             frame->prepare(*scene, moment, wish, SceneFrame::Extent::kSketch, checkpoint);
             delivery.frame = frame;
@@ -147,7 +149,7 @@ void Workshop::learnSketch(const std::shared_ptr<const LoadedScene>& scene,
 
 bool Workshop::settle() {
     images_->settle();
-    return !first_.busy() && !second_.busy() && contexts_.renew();
+    return !changes_.busy() && !wholes_.busy() && contexts_.renew();
 }
 
 Workshop::Delivery Workshop::make(Order& order, const CompiledText& compiled, Delivery delivery,

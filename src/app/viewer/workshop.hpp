@@ -70,7 +70,8 @@ class Workshop {
         /// Of this scene. A sketch wants to be replaced soon.
         std::shared_ptr<SceneFrame> frame, splitFrame;
         std::shared_ptr<const LoadedScene> scene;
-        double seconds = 0;  ///< since it was ordered
+        bool learnt = false;  ///< a sketch to teach the driver, not to be seen
+        double seconds = 0;   ///< since it was ordered
     };
 
     /// The window outlives this, and this outlives all frames.
@@ -81,7 +82,7 @@ class Workshop {
     /// Once, what was ordered last at each. Throws MachineError, and UsageError for a camera that
     /// is not there.
     std::optional<Delivery> take();
-    [[nodiscard]] bool busy() const { return first_.busy() || (second_.busy() && !idle_); }
+    [[nodiscard]] bool busy() const { return changes_.busy() || (wholes_.busy() && !learning_); }
     /// When nothing else is being made: sees to it that the driver knows what a sketch of this
     /// scene needs besides its fields.
     void learnSketch(const std::shared_ptr<const LoadedScene>& scene, const PackedMoment& moment,
@@ -101,11 +102,11 @@ class Workshop {
     std::shared_ptr<ImageStore> images_ = ImageStore::create();
     CompiledText compiled_;
     std::weak_ptr<const LoadedScene> learntFrom_;
-    bool idle_ = false;   ///< the second bench does what nobody waits for
-    FieldProber prober_;  ///< the first bench's, and so is
+    bool learning_ = false;  ///< what wholes_ does, nobody waits for
+    FieldProber prober_;     ///< the thread's of changes_, and so is
     SceneCache cache_;
     Clock::time_point orderedAt_{};
-    Background<Delivery> first_, second_;  // last: their threads use the others
+    Background<Delivery> changes_, wholes_;  // last: their threads use the others
 };
 
 }  // namespace vitrine
